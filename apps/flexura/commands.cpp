@@ -1,0 +1,146 @@
+#include "commands.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <optional>
+#include <set>
+
+#include "flexura/core/nearest_word.hpp"
+#include "flexura/io/model_reader.hpp"
+#include "flexura/io/starter.hpp"
+#include "flexura/io/write_results.hpp"
+#include "flexura/report/report.hpp"
+#include "flexura/report/table.hpp"
+#include "flexura/studies/run_studies.hpp"
+#include "terminal.hpp"
+
+namespace flexura::app {
+namespace {
+
+std::atomic<bool> interrupted = false;
+
+/// Reads the model or says what is wrong with it.
+std::optional<Model> read_or_complain(const ModelArguments& arguments) {
+  ParameterOverrides overrides;
+  for (const std::string& assignment : arguments.assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      print_error(fmt::format("--set takes name=value, got '{}'", assignment));
+      return {};
+    }
+    overrides[assignment.substr(0, equals)] = assignment.substr(equals + 1);
+  }
+  ModelReading reading = read_model(arguments.file, overrides);
+  print_diagnostics(arguments.file.string(), reading.diagnostics);
+  return std::move(reading.model);
+}
+
+/// False, with a message, where a name asked for on the command line is not in the model.
+bool check_names(const std::vector<std::string>& asked, const std::set<std::string>& known,
+                 const char* what) {
+  for (const std::string& name : asked) {
+    if (known.contains(name)) continue;
+    const std::vector<std::string> words(known.begin(), known.end());
+    print_error(fmt::format("the model has no {} '{}'{}", what, name, suggestion(name, words)));
+    return false;
+  }
+  return true;
+}
+
+bool names_exist(const Model& model, const RunArguments& arguments) {
+  std::set<std::string> studies;
+  std::set<std::string> modelings;
+  const auto note = [&modelings](const auto& kind) {
+    if constexpr (requires { kind.modelings; })
+      for (const ModelingSettings& settings : kind.modelings) {
+        modelings.insert(settings.label);
+        modelings.insert(modeling_name(settings));
+      }
+  };
+  for (const Study& study : model.studies) {
+    studies.insert(study.name);
+    std::visit(note, study.kind);
+  }
+  return check_names(arguments.studies, studies, "study") &&
+         check_names(arguments.modelings, modelings, "modeling");
+}
+
+std::filesystem::path results_folder(const RunArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  return arguments.model.file.stem().string() + ".results";
+}
+
+bool all_converged(const Result& result) {
+  for (const StudyResult& study : result.studies)
+    if (!study.termination.converged()) return false;
+  return true;
+}
+
+}  // namespace
+
+int run_command(const RunArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::optional<Model> model = read_or_complain(arguments.model);
+  if (!model || !names_exist(*model, arguments)) return wrong_input;
+
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  RunOptions options;
+  options.studies = arguments.studies;
+  options.modelings = arguments.modelings;
+  options.threads = arguments.threads;
+  Result result;
+  {
+    ProgressLine line(!arguments.quiet);
+    options.progress = [&line](const ProgressReport& report) {
+      line.update(report);
+      return !interrupted;
+    };
+    result = run_studies(*model, options);
+  }
+  result.model_file = arguments.model.file.filename().string();
+
+  const std::filesystem::path folder = results_folder(arguments);
+  const WriteOutcome outcome = write_results(result, make_report(result), folder);
+  if (!outcome.ok()) {
+    print_error(outcome.error);
+    return stopped_early;
+  }
+  if (!arguments.quiet) {
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    fmt::print("{}", make_comparison_table(result, is_coloured(STDOUT_FILENO)));
+    fmt::print("\n{:.2f} s; report: {}\n", took.count(), (folder / "report.html").string());
+  }
+  return all_converged(result) ? all_finished : stopped_early;
+}
+
+int check_command(const ModelArguments& arguments, bool quiet) {
+  const std::optional<Model> model = read_or_complain(arguments);
+  if (!model) return wrong_input;
+  if (!quiet)
+    fmt::print("{}: no mistakes: {} bodies, {} flexures, {} studies\n", arguments.file.string(),
+               model->bodies.size(), model->flexures.size(), model->studies.size());
+  return all_finished;
+}
+
+int new_command(const std::filesystem::path& file) {
+  if (std::filesystem::exists(file)) {
+    print_error(fmt::format("'{}' exists already; choose another name", file.string()));
+    return wrong_input;
+  }
+  std::ofstream out(file);
+  out << starter_model();
+  out.close();
+  if (!out) {
+    print_error(fmt::format("cannot write '{}'", file.string()));
+    return wrong_input;
+  }
+  fmt::print("{0} written; next: flexura run {0}\n", file.string());
+  return all_finished;
+}
+
+}  // namespace flexura::app

@@ -1,0 +1,11 @@
+# What every target of the project is compiled with.
+add_library(flexura_options INTERFACE)
+target_compile_options(flexura_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
+  $<$<BOOL:${FLEXURA_WERROR}>:-Werror>
+  $<$<BOOL:${FLEXURA_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all
+    -fno-omit-frame-pointer -Wno-maybe-uninitialized>
+  $<$<BOOL:${FLEXURA_COVERAGE}>:--coverage>)
+target_link_options(flexura_options INTERFACE
+  $<$<BOOL:${FLEXURA_SANITIZE}>:-fsanitize=address,undefined>
+  $<$<BOOL:${FLEXURA_COVERAGE}>:--coverage>)

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <vector>
+
+#include "flexura/assembly/two_port.hpp"
+#include "flexura/core/jet2.hpp"
+#include "flexura/core/ldlt.hpp"
+
+namespace flexura {
+
+/// A flexure whose sections turn by angles linear in its internal unknowns y,
+///     theta_g = theta0_g + J_g . y   at points g with weights w_g,
+/// and whose end is found by adding up the tangents of its points. Two modelings are of this kind:
+/// the exact flexure (points are Gauss points, y its moment modes) and the pseudo-rigid-body
+/// chain (points are rigid segments, y its joint rotations). With a mixed potential phi per point,
+///     W(y, f, mu) = 1/2 y.S y + sum_g w_g phi_g(theta_g, f) - f . offset - mu R . y,
+/// where -d(phi)/d(f) is the derivative of the deformed axis and
+/// offset = chord as drawn - sum_g w_g t(theta0_g): the flexure is free of stress as drawn whatever
+/// the quadrature.
+struct AngleField {
+  /// Points come in pairs: an odd one out gets a companion without weight.
+  void complete_pairs() {
+    if (weights.size() % 2 == 0) return;
+    weights.push_back(0.0);
+    angles.push_back(0.0);
+    turns.resize(turns.size() + unknowns, 0.0);
+  }
+
+  std::size_t unknowns = 0;
+  std::vector<double> weights;
+  std::vector<double> angles;     ///< theta0
+  std::vector<double> turns;      ///< J, points x unknowns, row-major
+  std::vector<double> tip_turn;   ///< R
+  std::vector<double> stiffness;  ///< S, unknowns x unknowns, row-major
+  Vec2 offset;
+
+  std::size_t scratch_size() const { return unknowns * (unknowns + 7); }
+
+  /// theta_g - theta0_g.
+  double turn(std::size_t point, const double* y) const {
+    const double* j = turns.data() + point * unknowns;
+    double angle = 0.0;
+    for (std::size_t i = 0; i < unknowns; ++i) angle += j[i] * y[i];
+    return angle;
+  }
+};
+
+/// The sum of both lanes.
+template <std::size_t N>
+Jet2<N> add_lanes(const Jet2<N, Pack2>& pair) {
+  Jet2<N> sum(pair.value[0] + pair.value[1]);
+  for (std::size_t i = 0; i < N; ++i) sum.gradient[i] = pair.gradient[i][0] + pair.gradient[i][1];
+  for (std::size_t k = 0; k < sum.hessian.size(); ++k)
+    sum.hessian[k] = pair.hessian[k][0] + pair.hessian[k][1];
+  return sum;
+}
+
+/// TwoPort::linearize of an angle field. `potential(theta, fx, fy)` is phi on Jet2<3, Pack2>:
+/// points are evaluated in pairs.
+template <class Potential>
+TipResponse linearize_angle_field(const AngleField& field, const Potential& potential,
+                                  const Eigen::Vector3d& load, const double* y, double* scratch) {
+  using Jet = Jet2<3, Pack2>;
+  const std::size_t m = field.unknowns;
+  double* columns = scratch;           // r_y, W_yfx, W_yfy, W_ymu; later u and Z
+  double* coupling = scratch + 4 * m;  // W_y(load), kept
+  double* tangent = scratch + 7 * m;   // W_yy
+  std::fill(columns, columns + 3 * m, 0.0);
+  std::copy(field.stiffness.begin(), field.stiffness.end(), tangent);
+
+  const Jet fx = Jet::variable(1, Pack2{load[0], load[0]});
+  const Jet fy = Jet::variable(2, Pack2{load[1], load[1]});
+  Jet pairs;  // of it, only value and derivatives by the force are meant to be added up
+  for (std::size_t g = 0; g < field.weights.size(); g += 2) {
+    const double* turn0 = field.turns.data() + g * m;
+    const double* turn1 = turn0 + m;
+    const Pack2 angle{field.angles[g] + field.turn(g, y),
+                      field.angles[g + 1] + field.turn(g + 1, y)};
+    Jet phi = potential(Jet::variable(0, angle), fx, fy);
+    phi *= Pack2{field.weights[g], field.weights[g + 1]};
+    const Pack2 by_angle = phi.gradient[0];
+    const Pack2 by_fx = phi.second(0, 1);
+    const Pack2 by_fy = phi.second(0, 2);
+    const Pack2 by_angle_twice = phi.second(0, 0);
+    for (std::size_t i = 0; i < m; ++i) {
+      const double j0 = turn0[i];
+      const double j1 = turn1[i];
+      columns[i] += by_angle[0] * j0 + by_angle[1] * j1;
+      columns[m + i] += by_fx[0] * j0 + by_fx[1] * j1;
+      columns[2 * m + i] += by_fy[0] * j0 + by_fy[1] * j1;
+      const double scaled0 = by_angle_twice[0] * j0;
+      const double scaled1 = by_angle_twice[1] * j1;
+      double* row = tangent + i * m;
+      for (std::size_t k = 0; k <= i; ++k) row[k] += scaled0 * turn0[k] + scaled1 * turn1[k];
+    }
+    pairs += phi;
+  }
+  const Jet2<3> sum = add_lanes(pairs);
+  double bending = 0.0;
+  double tip_rotation = 0.0;
+  for (std::size_t i = 0; i < m; ++i) {
+    double stiff = 0.0;
+    for (std::size_t k = 0; k < m; ++k) stiff += field.stiffness[i * m + k] * y[k];
+    bending += 0.5 * stiff * y[i];
+    tip_rotation += field.tip_turn[i] * y[i];
+    columns[i] += stiff - load[2] * field.tip_turn[i];
+    columns[3 * m + i] = -field.tip_turn[i];
+  }
+  std::copy(columns + m, columns + 4 * m, coupling);
+
+  const LdltInertia inertia = factorize_ldlt(tangent, m);
+  solve_ldlt(tangent, m, columns, 4);
+
+  TipResponse response;
+  response.negative = inertia.negative;
+  response.singular = inertia.singular;
+  response.strain_energy =
+      bending + sum.value - load[0] * sum.gradient[1] - load[1] * sum.gradient[2];
+  response.tip = {field.offset.x - sum.gradient[1], field.offset.y - sum.gradient[2], tip_rotation};
+  response.flexibility << -sum.second(1, 1), -sum.second(1, 2), 0.0,  //
+      -sum.second(2, 1), -sum.second(2, 2), 0.0,                      //
+      0.0, 0.0, 0.0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double* w = coupling + a * m;
+    const auto row = static_cast<Eigen::Index>(a);
+    for (std::size_t i = 0; i < m; ++i) {
+      response.tip[row] += w[i] * columns[i];
+      for (std::size_t b = 0; b < 3; ++b)
+        response.flexibility(row, static_cast<Eigen::Index>(b)) += w[i] * columns[(b + 1) * m + i];
+    }
+  }
+  return response;
+}
+
+}  // namespace flexura

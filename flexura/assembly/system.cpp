@@ -1,0 +1,232 @@
+#include "flexura/assembly/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flexura {
+System::System(SystemLayout layout) : layout_(std::move(layout)) {
+  for (const auto& body : layout_.bodies) held_.push_back({body.centre, 0.0});
+  follower_ = !layout_.linearised && std::any_of(layout_.loads.begin(), layout_.loads.end(),
+                                                 [](const auto& load) { return load.follower; });
+  number_unknowns();
+  const auto most = static_cast<Eigen::Index>(moving_ + 3 * members_.size());
+  tangent_.setZero(most, most);
+  residual_.setZero(most);
+  load_vector_.setZero(most);
+  scale_.resize(most);
+  tangents_.resize(members_.size());
+  set_scale();
+  if (layout_.linearised) {
+    const std::vector<double> start = initial_state();
+    for (std::size_t k = 0; k < layout_.members.size(); ++k) {
+      double q[port_unknowns];
+      gather(k, start, q);
+      drawn_.push_back(relative_pose(q, layout_.members[k].arms, Eigen::Vector3d::Zero()));
+    }
+  }
+}
+
+void System::number_unknowns() {
+  int next = 0;
+  for (const auto& body : layout_.bodies) {
+    BodyIndex index;
+    if (body.moves) {
+      index.position = next;
+      next += 2;
+      if (body.turns) index.rotation = next++;
+    }
+    bodies_.push_back(index);
+  }
+  for (const auto& member : layout_.members) {
+    const BodyIndex& a = bodies_[member.base];
+    const BodyIndex& b = bodies_[member.action];
+    MemberIndex index{};
+    const int own_base = member.pinned_base ? next++ : a.rotation;
+    const int own_action = member.pinned_action ? next++ : b.rotation;
+    const int unknowns[port_unknowns] = {
+        a.position, a.position < 0 ? -1 : a.position + 1, a.rotation, own_base,
+        b.position, b.position < 0 ? -1 : b.position + 1, b.rotation, own_action};
+    std::copy(std::begin(unknowns), std::end(unknowns), std::begin(index.unknowns));
+    members_.push_back(index);
+  }
+  moving_ = static_cast<std::size_t>(next);
+  size_ = moving_ + 3 * members_.size();
+  std::size_t scratch = 0;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    members_[k].load = moving_ + 3 * k;
+    members_[k].internal = size_;
+    members_[k].scratch = scratch;
+    size_ += layout_.members[k].port->internal_size();
+    scratch += layout_.members[k].port->scratch_size();
+  }
+  scratch_.resize(scratch);
+}
+
+void System::set_scale() {
+  const auto count = static_cast<double>(layout_.members.size());
+  length_ = 0.0;
+  double energy = 0.0;  // of a flexure bent by one radian, geometric mean
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const auto& member = layout_.members[k];
+    length_ += member.length / count;
+    energy += std::log(member.bending_stiffness / member.length) / count;
+    const double root = std::sqrt(member.bending_stiffness / member.length);
+    members_[k].force_scale = root / member.length;
+    members_[k].moment_scale = root;
+  }
+  const double turn = 1.0 / std::sqrt(std::exp(energy));
+  scale_.setConstant(turn);
+  for (const BodyIndex& body : bodies_)
+    if (body.position >= 0) scale_.segment<2>(body.position).setConstant(length_ * turn);
+}
+
+Pose System::pose(std::size_t body, const std::vector<double>& z) const {
+  const BodyIndex& index = bodies_[body];
+  Pose pose = held_[body];
+  if (index.position >= 0) {
+    const auto k = static_cast<std::size_t>(index.position);
+    pose.position = layout_.bodies[body].centre + Vec2{z[k], z[k + 1]};
+  }
+  if (index.rotation >= 0) pose.rotation = z[static_cast<std::size_t>(index.rotation)];
+  return pose;
+}
+
+Vec2 System::moved_point(std::size_t body, Vec2 drawn, const std::vector<double>& z) const {
+  const Pose at = pose(body, z);
+  const Vec2 arm = drawn - layout_.bodies[body].centre;
+  if (layout_.linearised) return at.position + arm + at.rotation * perp(arm);
+  return at.position + rotate(at.rotation, arm);
+}
+
+Pose System::base_section(std::size_t member, const std::vector<double>& z) const {
+  const auto& m = layout_.members[member];
+  const Pose body = pose(m.base, z);
+  const int own = members_[member].unknowns[PortUnknown::base_section];
+  const double turn = own >= 0 ? z[static_cast<std::size_t>(own)] : body.rotation;
+  return {moved_point(m.base, layout_.bodies[m.base].centre + m.arms.base, z), turn};
+}
+
+Eigen::Vector3d System::member_load(std::size_t member, const std::vector<double>& z) const {
+  return Eigen::Map<const Eigen::Vector3d>(z.data() + members_[member].load);
+}
+
+std::span<const double> System::internal(std::size_t member, const std::vector<double>& z) const {
+  return std::span(z).subspan(members_[member].internal,
+                              layout_.members[member].port->internal_size());
+}
+
+void System::gather(std::size_t member, const std::vector<double>& z,
+                    double (&q)[port_unknowns]) const {
+  const auto& m = layout_.members[member];
+  const Pose base = pose(m.base, z);
+  const Pose action = pose(m.action, z);
+  // Positions count from the base body's drawn centre: differences of small numbers stay exact.
+  const Vec2 origin = layout_.bodies[m.base].centre;
+  const Vec2 a = base.position - origin;
+  const Vec2 b = action.position - origin;
+  const double values[port_unknowns] = {a.x, a.y, base.rotation,   base.rotation,
+                                        b.x, b.y, action.rotation, action.rotation};
+  std::copy(std::begin(values), std::end(values), std::begin(q));
+  const auto& unknowns = members_[member].unknowns;
+  for (const int own : {PortUnknown::base_section, PortUnknown::action_section})
+    if (unknowns[own] >= 0) q[own] = z[static_cast<std::size_t>(unknowns[own])];
+}
+
+RelativePose System::relative_pose_of(std::size_t member, const std::vector<double>& z) const {
+  double q[port_unknowns];
+  gather(member, z, q);
+  if (!layout_.linearised)
+    return relative_pose(q, layout_.members[member].arms, member_load(member, z));
+  const auto& m = layout_.members[member];
+  const Vec2 apart = layout_.bodies[m.action].centre - layout_.bodies[m.base].centre;
+  q[action_x] -= apart.x;
+  q[action_y] -= apart.y;
+  RelativePose pose = drawn_[member];
+  pose.value += pose.jacobian * Eigen::Map<const Eigen::Matrix<double, port_unknowns, 1>>(q);
+  return pose;
+}
+
+double System::load_displacement(const std::vector<double>& z) const {
+  double work = 0.0;
+  for (const auto& load : layout_.loads) {
+    const Vec2 drawn = layout_.bodies[load.body].centre + load.arm;
+    work += dot(load.force, moved_point(load.body, drawn, z) - drawn) +
+            load.moment * pose(load.body, z).rotation;
+  }
+  return work;
+}
+
+double System::load_rate(const std::vector<double>& direction) const {
+  return load_vector_.head(static_cast<Eigen::Index>(moving_))
+      .dot(Eigen::Map<const Eigen::VectorXd>(direction.data(), static_cast<Eigen::Index>(moving_)));
+}
+
+double System::inner(const std::vector<double>& a, const std::vector<double>& b) const {
+  double sum = 0.0;
+  for (const BodyIndex& body : bodies_) {
+    const auto k = static_cast<std::size_t>(std::max(body.position, 0));
+    if (body.position >= 0) sum += (a[k] * b[k] + a[k + 1] * b[k + 1]) / (length_ * length_);
+    if (body.rotation >= 0) sum += a[k + 2] * b[k + 2];
+  }
+  return sum;
+}
+
+double System::distance(const std::vector<double>& a, const std::vector<double>& b) const {
+  double largest = 0.0;
+  for (const BodyIndex& body : bodies_) {
+    const auto k = static_cast<std::size_t>(std::max(body.position, 0));
+    if (body.position >= 0)
+      largest = std::max(largest, std::hypot(a[k] - b[k], a[k + 1] - b[k + 1]) / length_);
+    if (body.rotation >= 0) largest = std::max(largest, std::abs(a[k + 2] - b[k + 2]));
+  }
+  return largest;
+}
+
+Eigen::Vector3d System::reaction(std::size_t body, const std::vector<double>& z) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const auto& member = layout_.members[k];
+    if (member.base != body && member.action != body) continue;
+    const RelativePose pose = relative_pose_of(k, z);
+    const Eigen::Matrix<double, port_unknowns, 1> force =
+        pose.jacobian.transpose() * member_load(k, z);
+    if (member.base == body) {
+      sum += force.segment<3>(base_x);
+      if (!member.pinned_base) sum[2] += force[PortUnknown::base_section];
+    }
+    if (member.action == body) {
+      sum += force.segment<3>(action_x);
+      if (!member.pinned_action) sum[2] += force[PortUnknown::action_section];
+    }
+  }
+  return sum;
+}
+
+std::unique_ptr<System> System::refined() const {
+  SystemLayout finer = layout_;
+  bool any = false;
+  for (auto& member : finer.members) {
+    if (auto port = member.port->refined()) {
+      member.port = std::move(port);
+      any = true;
+    }
+  }
+  if (!any) return nullptr;
+  auto system = std::make_unique<System>(std::move(finer));
+  system->held_ = held_;
+  system->load_factor_ = load_factor_;
+  return system;
+}
+
+std::vector<double> System::prolong(const std::vector<double>& z, const System& refined) const {
+  std::vector<double> out(refined.size_, 0.0);
+  std::copy_n(z.begin(), moving_ + 3 * members_.size(), out.begin());
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const auto& fine = refined.members_[k];
+    const std::size_t count = refined.layout_.members[k].port->internal_size();
+    layout_.members[k].port->prolong(internal(k, z), std::span(out).subspan(fine.internal, count));
+  }
+  return out;
+}
+
+}  // namespace flexura

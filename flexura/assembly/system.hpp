@@ -1,0 +1,184 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "flexura/assembly/port_kinematics.hpp"
+#include "flexura/assembly/two_port.hpp"
+#include "flexura/core/symmetric_factor.hpp"
+#include "flexura/core/vec2.hpp"
+
+namespace flexura {
+
+/// How a mechanism is put together, before any unknown has a number.
+struct SystemLayout {
+  struct Body {
+    Vec2 centre;        ///< as drawn
+    bool moves = true;  ///< has unknowns; a body that does not is held at a pose
+    bool turns = true;  ///< has a rotation among them
+  };
+  struct Member {
+    std::size_t base = 0;  ///< bodies
+    std::size_t action = 0;
+    bool pinned_base = false;
+    bool pinned_action = false;
+    PortArms arms;
+    double length = 1.0;             ///< sizes the unknowns: translations and moments
+    double bending_stiffness = 1.0;  ///< EI, likewise
+    std::shared_ptr<const TwoPort> port;
+  };
+  struct Load {  ///< at full load factor, on a point of a body
+    std::size_t body = 0;
+    Vec2 arm;  ///< from the body's centre, as drawn
+    Vec2 force;
+    double moment = 0.0;
+    bool follower = false;
+  };
+
+  std::vector<Body> bodies;
+  std::vector<Member> members;
+  std::vector<Load> loads;
+  /// Small displacements: kinematics to first order about the drawn state.
+  bool linearised = false;
+};
+
+/// A mechanism as unknowns, equilibrium equations and their tangent. The unknowns z are the
+/// displacements and rotations of the bodies (and rotations of pinned ends), the load (force x,
+/// force y, moment, in axes of the base section) of every flexure, and each flexure's internal
+/// unknowns; equilibrium is a stationary point of the potential
+///     sum_k [ W_k(y_k, load_k) + load_k . relative_pose_k(q) ] - load_factor * (work of loads).
+/// Internal unknowns are eliminated flexure by flexure, and so is the load of every flexure whose
+/// flexibility is regular; the load of one that cannot stretch, say, stays. What remains is one
+/// symmetric matrix, whose inertia tells stability. Follower loads make it unsymmetric.
+class System {
+ public:
+  explicit System(SystemLayout layout);
+  System(System&&) = default;
+
+  /// Number of all unknowns, internal ones included.
+  std::size_t size() const { return size_; }
+  /// The unknowns of the undeformed, unloaded mechanism: zeros.
+  std::vector<double> initial_state() const { return std::vector<double>(size_, 0.0); }
+
+  void set_load_factor(double load_factor) { load_factor_ = load_factor; }
+  double load_factor() const { return load_factor_; }
+  /// Puts a body that does not move by itself at a pose.
+  void hold(std::size_t body, const Pose& pose) { held_[body] = pose; }
+  /// The load factor and held poses of another system of the same mechanism.
+  void hold_as(const System& other) {
+    held_ = other.held_;
+    load_factor_ = other.load_factor_;
+  }
+
+  /// Evaluates residual and tangent at z and factorizes. False where the tangent is singular or a
+  /// number is not finite.
+  bool linearize(const std::vector<double>& z);
+  /// Newton step of the last linearization; returns its size: the largest change of a displacement
+  /// (in mean flexure lengths), rotation or internal unknown.
+  double newton_step(std::vector<double>& step) const;
+  /// dz / d(load factor) of the last linearization.
+  void load_direction(std::vector<double>& direction) const;
+
+  /// Scalar product of changes of z: displacements in mean flexure lengths, rotations in radians.
+  double inner(const std::vector<double>& a, const std::vector<double>& b) const;
+  /// Largest change of a displacement or rotation of a body between two states, likewise.
+  double distance(const std::vector<double>& a, const std::vector<double>& b) const;
+
+  // Of the last linearization:
+  /// Negative eigenvalues of the tangent on displacements that keep the flexures closed: 0 is
+  /// stable. With follower loads only its parity is known (0 or 1).
+  int unstable_directions() const;
+  double strain_energy() const { return strain_energy_; }
+  /// Size of the smallest pivot over the largest, scaled unknowns: nearly zero, nearly singular.
+  double pivot_ratio() const { return pivot_ratio_; }
+  /// The moving body that the softest direction of the tangent moves most.
+  std::size_t softest_body() const;
+
+  Pose pose(std::size_t body, const std::vector<double>& z) const;
+  /// Where a point of the body, given as drawn, has gone.
+  Vec2 moved_point(std::size_t body, Vec2 drawn, const std::vector<double>& z) const;
+  /// Pose of the base section of a member: origin and axes of its sections.
+  Pose base_section(std::size_t member, const std::vector<double>& z) const;
+  Eigen::Vector3d member_load(std::size_t member, const std::vector<double>& z) const;
+  std::span<const double> internal(std::size_t member, const std::vector<double>& z) const;
+  /// Sum of dead loads' forces times the displacements of their points, at load factor 1.
+  double load_displacement(const std::vector<double>& z) const;
+  /// The loads' work per load factor along a change of z, of the last linearization.
+  double load_rate(const std::vector<double>& direction) const;
+  bool has_follower_loads() const { return follower_; }
+  /// Displacement (x, y, rotation) of a body's centre per load (force x, y, moment) there, about
+  /// the last linearization; zero for a body that is held.
+  Eigen::Matrix3d body_compliance(std::size_t body) const;
+  /// Force x, y and moment about its centre that a body needs to stay at its pose.
+  Eigen::Vector3d reaction(std::size_t body, const std::vector<double>& z) const;
+  /// Rotates small: the linearised system moves points by u + rotation x arm.
+  bool linearised() const { return layout_.linearised; }
+
+  const SystemLayout& layout() const { return layout_; }
+  /// The same mechanism with every flexure refined, and the state that corresponds to z; null
+  /// where no flexure has anything to refine.
+  std::unique_ptr<System> refined() const;
+  std::vector<double> prolong(const std::vector<double>& z, const System& refined) const;
+
+ private:
+  struct BodyIndex {
+    int position = -1;  // of x; y follows. -1: held
+    int rotation = -1;
+  };
+  struct MemberIndex {
+    int unknowns[port_unknowns];  // indices into z, -1 where held
+    std::size_t load = 0;         // into z
+    std::size_t internal = 0;     // into z
+    std::size_t scratch = 0;
+    double force_scale = 1.0;   // sqrt(EI/L)/L
+    double moment_scale = 1.0;  // sqrt(EI/L)
+  };
+  // One member at the last linearization.
+  struct MemberTangent {
+    RelativePose::Jacobian jacobian;
+    Eigen::Vector3d gap;        // relative pose less tip: what is left to close
+    Eigen::Matrix3d stiffness;  // inverse of the flexibility, where that is regular
+    int kept = -1;              // row of the load in the reduced matrix, -1 where eliminated
+  };
+
+  void number_unknowns();
+  void gather(std::size_t member, const std::vector<double>& z, double (&q)[port_unknowns]) const;
+  RelativePose relative_pose_of(std::size_t member, const std::vector<double>& z) const;
+  void set_scale();
+  bool add_member(std::size_t member, const std::vector<double>& z);
+  void keep_load(std::size_t member, const Eigen::Matrix3d& flexibility);
+  void add_load(const SystemLayout::Load& load, const std::vector<double>& z);
+  bool factorize();
+  void solve_scaled(Eigen::VectorXd& b) const;
+  void expand(const Eigen::VectorXd& reduced, bool with_residual, std::vector<double>& step) const;
+
+  SystemLayout layout_;
+  std::vector<BodyIndex> bodies_;
+  std::vector<MemberIndex> members_;
+  std::vector<Pose> held_;
+  std::vector<RelativePose> drawn_;  // at the undeformed state, for linearised kinematics
+  std::size_t moving_ = 0;           // unknowns of bodies and pinned ends
+  std::size_t size_ = 0;
+  double load_factor_ = 0.0;
+  bool follower_ = false;
+
+  double length_ = 1.0;    // mean length of the flexures
+  Eigen::VectorXd scale_;  // symmetric scaling of the reduced unknowns
+  std::vector<MemberTangent> tangents_;
+  Eigen::Index reduced_ = 0;  // bodies' unknowns, then kept loads
+  Eigen::MatrixXd tangent_;   // its leading reduced_ rows and columns are in use
+  Eigen::VectorXd residual_;
+  Eigen::VectorXd load_vector_;  // of all loads at full load factor, at the last z
+  std::vector<double> scratch_;
+  SymmetricFactor factor_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  int eliminated_negative_ = 0;  // negative pivots of all that was eliminated
+  double strain_energy_ = 0.0;
+  double pivot_ratio_ = 0.0;
+  mutable Eigen::VectorXd work_;
+};
+
+}  // namespace flexura

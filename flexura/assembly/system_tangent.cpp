@@ -1,0 +1,244 @@
+#include "flexura/assembly/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flexura/core/ldlt.hpp"
+
+namespace flexura {
+namespace {
+
+constexpr double singular_pivot = 1e-14;      // of the largest, scaled unknowns
+constexpr double regular_flexibility = 1e-8;  // least over largest pivot, scaled
+
+/// Inverts a symmetric 3 x 3 matrix through L D L^T; false where its pivots say it is nearly
+/// singular. `negative` counts negative eigenvalues.
+bool invert(const Eigen::Matrix3d& matrix, Eigen::Matrix3d& inverse, int& negative) {
+  Eigen::Matrix3d factor = matrix;  // symmetric: row- and column-major are the same
+  double* a = factor.data();
+  negative = factorize_ldlt(a, 3).negative;
+  const double d[3] = {std::abs(a[0]), std::abs(a[4]), std::abs(a[8])};
+  if (!(*std::min_element(d, d + 3) > regular_flexibility * *std::max_element(d, d + 3)))
+    return false;
+  inverse.setIdentity();
+  solve_ldlt(a, 3, inverse.data(), 3);
+  return true;
+}
+
+}  // namespace
+
+/// Leaves the load among the unknowns of the reduced matrix: its flexibility has no inverse.
+void System::keep_load(std::size_t member, const Eigen::Matrix3d& flexibility) {
+  const MemberIndex& index = members_[member];
+  MemberTangent& tangent = tangents_[member];
+  const auto row = reduced_;
+  tangent.kept = static_cast<int>(row);
+  reduced_ += 3;
+  tangent_.middleRows<3>(row).setZero();
+  tangent_.middleCols<3>(row).setZero();
+  tangent_.block<3, 3>(row, row) = -flexibility;
+  residual_.segment<3>(row) = tangent.gap;
+  scale_.segment<3>(row) << index.force_scale, index.force_scale, index.moment_scale;
+  for (int i = 0; i < port_unknowns; ++i) {
+    if (index.unknowns[i] < 0) continue;
+    // added: both ends of a flexure may share an unknown
+    tangent_.block<3, 1>(row, index.unknowns[i]) += tangent.jacobian.col(i);
+    tangent_.block<1, 3>(index.unknowns[i], row) += tangent.jacobian.col(i).transpose();
+  }
+}
+
+bool System::add_member(std::size_t member, const std::vector<double>& z) {
+  const MemberIndex& index = members_[member];
+  MemberTangent& tangent = tangents_[member];
+  const Eigen::Vector3d load = member_load(member, z);
+  const TipResponse response = layout_.members[member].port->linearize(
+      load, z.data() + index.internal, scratch_.data() + index.scratch);
+  if (response.singular || !response.tip.allFinite()) return false;
+  eliminated_negative_ += response.negative;
+  strain_energy_ += response.strain_energy;
+
+  const RelativePose pose = relative_pose_of(member, z);
+  tangent.jacobian = pose.jacobian;
+  tangent.gap = pose.value - response.tip;
+  tangent.kept = -1;
+
+  // scaled, so that "nearly singular" does not depend on units
+  const Eigen::Vector3d s(index.force_scale, index.force_scale, index.moment_scale);
+  const Eigen::Matrix3d flexibility = s.asDiagonal() * response.flexibility * s.asDiagonal();
+  int negative = 0;
+  RelativePose::Hessian stiffness = pose.hessian;
+  Eigen::Matrix<double, port_unknowns, 1> force = pose.jacobian.transpose() * load;
+  if (invert(flexibility, tangent.stiffness, negative)) {
+    tangent.stiffness = s.asDiagonal() * tangent.stiffness * s.asDiagonal();
+    eliminated_negative_ += 3 - negative;  // of minus the flexibility
+    const RelativePose::Jacobian kj = tangent.stiffness * pose.jacobian;
+    stiffness.noalias() += pose.jacobian.transpose() * kj;
+    force.noalias() += kj.transpose() * tangent.gap;
+  } else {
+    keep_load(member, response.flexibility);
+  }
+  for (int i = 0; i < port_unknowns; ++i) {
+    const int row = index.unknowns[i];
+    if (row < 0) continue;
+    residual_[row] += force[i];
+    for (int j = 0; j < port_unknowns; ++j)
+      if (index.unknowns[j] >= 0) tangent_(row, index.unknowns[j]) += stiffness(i, j);
+  }
+  return true;
+}
+
+void System::add_load(const SystemLayout::Load& load, const std::vector<double>& z) {
+  const BodyIndex& index = bodies_[load.body];
+  if (index.position < 0) return;
+  const double turn = layout_.linearised ? 0.0 : pose(load.body, z).rotation;
+  const Vec2 arm = rotate(turn, load.arm);
+  const Vec2 force = load.follower ? rotate(turn, load.force) : load.force;
+  load_vector_.segment<2>(index.position) += Eigen::Vector2d(force.x, force.y);
+  if (index.rotation < 0) return;
+  load_vector_[index.rotation] += cross(arm, force) + load.moment;
+  if (layout_.linearised) return;
+  if (load.follower) {
+    const Vec2 change = load_factor_ * perp(force);
+    tangent_(index.position, index.rotation) -= change.x;
+    tangent_(index.position + 1, index.rotation) -= change.y;
+  } else {
+    tangent_(index.rotation, index.rotation) += load_factor_ * dot(arm, force);
+  }
+}
+
+bool System::linearize(const std::vector<double>& z) {
+  reduced_ = static_cast<Eigen::Index>(moving_);
+  tangent_.topLeftCorner(reduced_, reduced_).setZero();
+  residual_.head(reduced_).setZero();
+  load_vector_.setZero();
+  eliminated_negative_ = 0;
+  strain_energy_ = 0.0;
+  for (std::size_t k = 0; k < members_.size(); ++k)
+    if (!add_member(k, z)) return false;
+  for (const auto& load : layout_.loads) add_load(load, z);
+  residual_.head(reduced_) -= load_factor_ * load_vector_.head(reduced_);
+  return residual_.head(reduced_).allFinite() && factorize();
+}
+
+bool System::factorize() {
+  auto k = tangent_.topLeftCorner(reduced_, reduced_);
+  const auto s = scale_.head(reduced_);
+  for (Eigen::Index j = 0; j < reduced_; ++j) k.col(j).array() *= s[j] * s.array();
+  if (!follower_) {
+    const bool regular = factor_.factorize(k);
+    pivot_ratio_ = factor_.pivot_ratio();
+    return regular && pivot_ratio_ > singular_pivot;
+  }
+  lu_.compute(k);
+  const Eigen::VectorXd pivots = lu_.matrixLU().diagonal().cwiseAbs();
+  pivot_ratio_ = pivots.size() == 0 ? 1.0 : pivots.minCoeff() / pivots.maxCoeff();
+  return std::isfinite(pivot_ratio_) && pivot_ratio_ > singular_pivot;
+}
+
+void System::solve_scaled(Eigen::VectorXd& b) const {
+  b.array() *= scale_.head(reduced_).array();
+  if (follower_)
+    b = lu_.solve(b).eval();
+  else
+    factor_.solve(b);
+  b.array() *= scale_.head(reduced_).array();
+}
+
+void System::expand(const Eigen::VectorXd& reduced, bool with_residual,
+                    std::vector<double>& step) const {
+  step.resize(size_);
+  std::copy_n(reduced.data(), moving_, step.begin());
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const MemberIndex& index = members_[k];
+    const MemberTangent& tangent = tangents_[k];
+    Eigen::Map<Eigen::Vector3d> load(step.data() + index.load);
+    if (tangent.kept >= 0) {
+      load = reduced.segment<3>(tangent.kept);
+    } else {
+      Eigen::Vector3d closing =
+          with_residual ? tangent.gap : Eigen::Vector3d(Eigen::Vector3d::Zero());
+      for (int i = 0; i < port_unknowns; ++i)
+        if (index.unknowns[i] >= 0) closing += tangent.jacobian.col(i) * reduced[index.unknowns[i]];
+      load = tangent.stiffness * closing;
+    }
+    const std::size_t m = layout_.members[k].port->internal_size();
+    const double* u = scratch_.data() + index.scratch;
+    double* out = step.data() + index.internal;
+    for (std::size_t i = 0; i < m; ++i)
+      out[i] = -(with_residual ? u[i] : 0.0) - u[m + i] * load[0] - u[2 * m + i] * load[1] -
+               u[3 * m + i] * load[2];
+  }
+}
+
+double System::newton_step(std::vector<double>& step) const {
+  work_ = -residual_.head(reduced_);
+  solve_scaled(work_);
+  expand(work_, true, step);
+  double size = 0.0;
+  for (const BodyIndex& body : bodies_) {
+    if (body.position >= 0)
+      size = std::max(size, work_.segment<2>(body.position).cwiseAbs().maxCoeff() / length_);
+    if (body.rotation >= 0) size = std::max(size, std::abs(work_[body.rotation]));
+  }
+  const std::size_t first_internal = moving_ + 3 * members_.size();
+  for (std::size_t i = first_internal; i < size_; ++i) size = std::max(size, std::abs(step[i]));
+  return std::isfinite(size) ? size : INFINITY;
+}
+
+void System::load_direction(std::vector<double>& direction) const {
+  work_ = load_vector_.head(reduced_);
+  solve_scaled(work_);
+  expand(work_, false, direction);
+}
+
+int System::unstable_directions() const {
+  const int closures = 3 * static_cast<int>(members_.size());
+  if (!follower_) return factor_.negative() + eliminated_negative_ - closures;
+  int sign = lu_.permutationP().determinant() > 0 ? 0 : 1;
+  for (Eigen::Index i = 0; i < lu_.rows(); ++i)
+    if (lu_.matrixLU()(i, i) < 0.0) ++sign;
+  return (sign + eliminated_negative_ + closures) % 2;
+}
+
+std::size_t System::softest_body() const {
+  // A few steps of inverse iteration; the factors exist even when they are nearly singular.
+  Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(reduced_, 1.0, 2.0);
+  for (int k = 0; k < 3; ++k) {
+    v.normalize();
+    if (follower_)
+      v = lu_.solve(v).eval();
+    else
+      factor_.solve(v);
+    if (!v.allFinite()) break;
+  }
+  std::size_t softest = 0;
+  double largest = -1.0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].position < 0) continue;
+    double motion = v.segment<2>(bodies_[b].position).norm();
+    if (bodies_[b].rotation >= 0) motion += std::abs(v[bodies_[b].rotation]);
+    if (motion > largest) {
+      largest = motion;
+      softest = b;
+    }
+  }
+  return softest;
+}
+
+Eigen::Matrix3d System::body_compliance(std::size_t body) const {
+  const BodyIndex& index = bodies_[body];
+  Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();
+  if (index.position < 0) return compliance;
+  const int rows[3] = {index.position, index.position + 1, index.rotation};
+  for (int c = 0; c < 3; ++c) {
+    if (rows[c] < 0) continue;
+    work_.setZero(reduced_);
+    work_[rows[c]] = 1.0;
+    solve_scaled(work_);
+    for (int r = 0; r < 3; ++r)
+      if (rows[r] >= 0) compliance(r, c) = work_[rows[r]];
+  }
+  return compliance;
+}
+
+}  // namespace flexura

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "flexura/core/vec2.hpp"
+
+namespace flexura {
+
+/// A flexure's section in axes fixed to its base body (parallel to the global axes as drawn,
+/// origin at the base end): its pose, rotation since the start, and the forces it carries.
+struct SectionState {
+  Pose pose;
+  double axial_force = 0.0;
+  double shear_force = 0.0;
+  double bending_moment = 0.0;
+};
+
+/// What a flexure, held at its base and loaded at its tip by (force x, force y, moment), answers
+/// once its internal unknowns are eliminated: to first order in a change of the load,
+/// tip = tip + flexibility * d(load). Everything in axes fixed to the base body.
+struct TipResponse {
+  Eigen::Vector3d tip;  ///< x, y from the base end, rotation since the start
+  Eigen::Matrix3d flexibility;
+  double strain_energy = 0.0;
+  int negative = 0;  ///< negative eigenvalues of the internal tangent at constant load
+  bool singular = false;
+};
+
+/// How a modeling stores energy in one flexure. The flexure is a cantilever held by its base body;
+/// the load its action body puts on the tip is an unknown of the mechanism, and closing the tip
+/// onto the action body is that unknown's equation. So compliances may vanish (inextensible,
+/// unshearable, rigid) and every modeling is the same to the assembly.
+///
+/// With W(y, load) = energy(y) - load . tip, the internal unknowns y (dimensionless, of order one)
+/// satisfy dW/dy = 0. All calls are const; the caller owns the scratch, so threads share the port.
+class TwoPort {
+ public:
+  virtual ~TwoPort() = default;
+
+  /// Number m of internal unknowns; they start at zero.
+  virtual std::size_t internal_size() const = 0;
+  /// Doubles of scratch that `linearize` needs, 4 m or more.
+  virtual std::size_t scratch_size() const = 0;
+
+  /// Evaluates at (load, internal) and eliminates the internal unknowns. The first 4 m doubles of
+  /// scratch then hold the columns u and Z (m x 3) of their Newton step,
+  /// d(internal) = -u - Z d(load). Does not allocate.
+  virtual TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
+                                double* scratch) const = 0;
+
+  /// Stations for results: evenly spaced in arc length from 0 to the length, both included, odd in
+  /// number.
+  virtual std::vector<SectionState> sections(const Eigen::Vector3d& load,
+                                             std::span<const double> internal) const = 0;
+
+  /// Polyline to draw of the flexure in a state, given its `sections`: by default through them.
+  virtual std::vector<Vec2> drawn_axis(std::span<const SectionState> sections,
+                                       std::span<const double> internal) const;
+
+  /// The same flexure discretized more finely, null where there is nothing to refine.
+  virtual std::shared_ptr<const TwoPort> refined() const { return nullptr; }
+  /// Internal unknowns of `refined()` that describe the same state.
+  virtual void prolong(std::span<const double> internal, std::span<double> refined) const;
+  /// The error of this discretization as a multiple of its distance from `refined()`: 1 where
+  /// convergence is geometric, 1/(1 - 2^-order) for a halved mesh.
+  virtual double error_ratio() const { return 1.0; }
+};
+
+/// Number of stations of every `sections`.
+inline constexpr int station_count = 41;
+
+}  // namespace flexura

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flexura {
+
+/// A place in the model file, counted from 1. (1, 1) where nothing is nearer.
+struct SourcePosition {
+  int line = 1;
+  int column = 1;
+
+  friend auto operator<=>(const SourcePosition&, const SourcePosition&) = default;
+};
+
+/// One mistake in a model file: what was wrong, with the offending value and the nearest valid
+/// choice in the sentence.
+struct Diagnostic {
+  SourcePosition position;
+  std::string message;
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+}  // namespace flexura

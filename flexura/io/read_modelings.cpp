@@ -1,0 +1,109 @@
+#include "flexura/core/nearest_word.hpp"
+#include "flexura/io/read_studies.hpp"
+#include "flexura/io/table_reader.hpp"
+
+namespace flexura {
+namespace {
+
+ScmbmSettings read_scmbm(Reading& reading, TableReader& table) {
+  static const Vocabulary places{{"centre", "end"}, {}};
+  const auto place = table.find("at");
+  const auto at = place ? read_word(reading, *place, "point", places) : std::nullopt;
+  return {at == "end" ? ScmbmSettings::At::end : ScmbmSettings::At::centre};
+}
+
+ExactSettings read_exact(TableReader& table) {
+  if (!table.has("modes")) return {};
+  return {table.integer("modes", 2)};
+}
+
+BeamSettings read_beam(Reading& reading, TableReader& table) {
+  if (const auto theory = table.find("theory")) {
+    read_word(reading, *theory, "beam theory", vocabulary::theories());
+  }
+  const BeamSettings defaults;
+  return {table.integer("elements", defaults.elements), table.integer("order", defaults.order)};
+}
+
+ModelingSettings::Kind default_kind(const std::string& name) {
+  if (name == "scmbm") return ScmbmSettings{};
+  if (name == "prbm") return PrbmSettings{};
+  if (name == "exact") return ExactSettings{};
+  if (name == "beam") return BeamSettings{};
+  return LinearSettings{};
+}
+
+ModelingSettings::Kind read_kind(Reading& reading, TableReader& table, const std::string& name) {
+  if (name == "scmbm") return read_scmbm(reading, table);
+  if (name == "exact") return read_exact(table);
+  if (name == "beam") return read_beam(reading, table);
+  const auto parameters = name == "prbm" ? table.find("parameters") : std::nullopt;
+  if (parameters) return read_prbm_parameters(reading, *parameters);
+  return default_kind(name);
+}
+
+/// Keeps the label of a modeling that cannot be read, so that a `reference` to it is understood.
+ModelingSettings read_modeling_name(Reading& reading, const Place& place) {
+  ModelingSettings settings;
+  settings.label = *place.node->string();
+  const auto name = read_word(reading, place, "modeling", vocabulary::modelings());
+  if (name) settings.kind = default_kind(*name);
+  return settings;
+}
+
+ModelingSettings read_modeling_table(Reading& reading, const Place& place) {
+  ModelingSettings settings;
+  const TomlEntry* name_entry = place.node->find("name");
+  if (!name_entry) {
+    // Which other keys may be there depends on the name.
+    reading.report(place.path, place.node->position, "missing key 'name': which modeling is it?");
+    return settings;
+  }
+  const auto name = read_word(reading, {&name_entry->node, place.path / "name"}, "modeling",
+                              vocabulary::modelings());
+  if (!name) {
+    reading.spoil(place.path);
+    const TomlEntry* label = place.node->find("label");
+    const std::string* text = (label ? label : name_entry)->node.string();
+    settings.label = text ? *text : "";
+    return settings;
+  }
+  TableReader table(reading, place, vocabulary::modeling(*name));
+  settings.kind = read_kind(reading, table, *name);
+  const auto label = table.find("label");
+  settings.label = label ? read_text(reading, *label).value_or(*name) : *name;
+  settings.axial = table.boolean("axial", true);
+  settings.shear = table.boolean("shear", true);
+  settings.tolerance = table.quantity("tolerance", dimensions::number, settings.tolerance);
+  return settings;
+}
+
+}  // namespace
+
+std::vector<ModelingSettings> read_modelings(Reading& reading, const Place& place) {
+  std::vector<ModelingSettings> modelings;
+  for (const Place& entry : read_list(reading, place, "modelings")) {
+    ModelingSettings settings;
+    if (entry.node->string()) {
+      settings = read_modeling_name(reading, entry);
+    } else if (entry.node->table()) {
+      settings = read_modeling_table(reading, entry);
+    } else {
+      report_unexpected(reading, entry, "a modeling's name or a table with its settings");
+    }
+    settings.source = entry.node->position;
+    modelings.push_back(std::move(settings));
+  }
+  return modelings;
+}
+
+std::size_t default_reference(const std::vector<ModelingSettings>& modelings) {
+  for (const char* preferred : {"continuum", "exact"}) {
+    for (std::size_t i = 0; i < modelings.size(); ++i) {
+      if (modeling_name(modelings[i]) == preferred) return i;
+    }
+  }
+  return modelings.empty() ? 0 : modelings.size() - 1;
+}
+
+}  // namespace flexura

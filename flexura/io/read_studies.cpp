@@ -1,0 +1,144 @@
+#include "flexura/io/read_studies.hpp"
+
+#include <fmt/format.h>
+
+#include "flexura/core/nearest_word.hpp"
+#include "flexura/io/table_reader.hpp"
+
+namespace flexura {
+namespace {
+
+/// "body" or "body.point".
+void read_target(Reading& reading, const Place& place, const StudyNames& names, Load& load) {
+  const auto text = read_text(reading, place);
+  if (!text) return;
+  const auto dot = text->find('.');
+  load.body = names.body_names.resolve(reading, place, text->substr(0, dot));
+  if (dot == std::string::npos || load.body == NameIndex::none) return;
+  const Body& body = names.bodies[load.body];
+  NameIndex points("point", !reading.has_mistake({"bodies", body.name, "points"}),
+                   fmt::format(" of body '{}'", body.name));
+  for (const Point& point : body.points) points.add(point.name);
+  load.point = points.resolve(reading, place, text->substr(dot + 1));
+}
+
+Load read_load(Reading& reading, const Place& place, const StudyNames& names) {
+  Load load;
+  load.body = NameIndex::none;
+  TableReader table(reading, place, vocabulary::load());
+  if (const auto target = table.require("on")) read_target(reading, *target, names, load);
+  const bool mistaken = reading.has_mistake(place.path);
+  if (place.node->table() && !table.has("force") && !table.has("moment") && !mistaken) {
+    reading.report(place.path, place.node->position,
+                   "a load needs force = [x, y] or moment = .. (or both)");
+  }
+  load.force = table.vector("force", dimensions::force, {});
+  load.moment = table.quantity("moment", dimensions::moment, 0.0);
+  load.follower = table.boolean("follower", false);
+  return load;
+}
+
+std::vector<Load> read_loads(Reading& reading, const Place& place, const StudyNames& names) {
+  std::vector<Load> loads;
+  for (const Place& entry : read_list(reading, place, "loads")) {
+    loads.push_back(read_load(reading, entry, names));
+  }
+  return loads;
+}
+
+RelativeDisplacement read_relative(Reading& reading, const Place& place,
+                                   const NameIndex& flexures) {
+  static const Vocabulary places{{"end", "centre"}, {}};
+  TableReader table(reading, place, vocabulary::relative());
+  RelativeDisplacement relative;
+  relative.flexure = NameIndex::none;
+  if (const auto name_place = table.require("flexure")) {
+    const auto name = read_text(reading, *name_place);
+    if (name) relative.flexure = flexures.resolve(reading, *name_place, *name);
+  }
+  relative.displacement = {table.quantity("x", dimensions::length, 0.0),
+                           table.quantity("y", dimensions::length, 0.0)};
+  relative.rotation = table.quantity("rotation", dimensions::angle, 0.0);
+  if (const auto at = table.find("at")) {
+    const bool centre = read_word(reading, *at, "point", places) == "centre";
+    relative.at = centre ? RelativeDisplacement::At::centre : RelativeDisplacement::At::end;
+  }
+  return relative;
+}
+
+/// `modelings` and `reference`, of whichever study has them.
+template <typename StudyKind>
+void read_modelings_of(Reading& reading, TableReader& table, StudyKind& study) {
+  const auto modelings = table.require("modelings");
+  if (modelings) study.modelings = read_modelings(reading, *modelings);
+  study.reference = default_reference(study.modelings);
+  const auto reference = table.find("reference");
+  if (!reference) return;
+  const auto label = read_text(reading, *reference);
+  if (!label) return;
+  NameIndex labels("label", modelings && modelings->node->array(), " among the modelings");
+  for (const ModelingSettings& settings : study.modelings) labels.add(settings.label);
+  study.reference = labels.resolve(reading, *reference, *label);
+}
+
+LinearStudy read_linear(Reading& reading, const Place& place, const StudyNames& names) {
+  TableReader table(reading, place, vocabulary::linear_study());
+  LinearStudy study;
+  if (const auto loads = table.find("loads")) study.loads = read_loads(reading, *loads, names);
+  study.axial = table.boolean("axial", true);
+  study.shear = table.boolean("shear", true);
+  return study;
+}
+
+PathStudy read_path(Reading& reading, const Place& place, const StudyNames& names) {
+  TableReader table(reading, place, vocabulary::path_study());
+  PathStudy study;
+  // What would be prescribed, once that is available, stands in for loads.
+  const bool prescribes = table.has("prescribe");
+  if (prescribes) reading.spoil(table.path("loads"));
+  const auto loads = prescribes ? table.find("loads") : table.require("loads");
+  if (loads) study.loads = read_loads(reading, *loads, names);
+  study.steps = table.integer("steps", study.steps);
+  read_modelings_of(reading, table, study);
+  return study;
+}
+
+InverseStudy read_inverse(Reading& reading, const Place& place, const StudyNames& names) {
+  TableReader table(reading, place, vocabulary::inverse_study());
+  InverseStudy study;
+  if (const auto relative = table.require("relative")) {
+    for (const Place& entry : read_list(reading, *relative, "relative displacements")) {
+      study.relative.push_back(read_relative(reading, entry, names.flexure_names));
+    }
+  }
+  study.steps = table.integer("steps", study.steps);
+  read_modelings_of(reading, table, study);
+  return study;
+}
+
+}  // namespace
+
+std::vector<Study> read_studies(Reading& reading, const Place& place, const StudyNames& names) {
+  std::vector<Study> studies;
+  for (const NamedPlace& entry : read_names(reading, place)) {
+    Study study{entry.name, LinearStudy{}, entry.position};
+    const TomlEntry* kind_entry = entry.place.node->find("kind");
+    if (!entry.place.node->table()) {
+      report_unexpected(reading, entry.place, "a table");
+    } else if (!kind_entry) {
+      reading.report_key(entry.place.path, "kind", entry.place.node->position,
+                         "missing key 'kind': linear, path or inverse");
+    } else {
+      // Which other keys may be there depends on the kind: without it they are left alone.
+      const auto kind = read_word(reading, {&kind_entry->node, entry.place.path / "kind"},
+                                  "study kind", vocabulary::study_kinds());
+      if (kind == "linear") study.kind = read_linear(reading, entry.place, names);
+      if (kind == "path") study.kind = read_path(reading, entry.place, names);
+      if (kind == "inverse") study.kind = read_inverse(reading, entry.place, names);
+    }
+    studies.push_back(std::move(study));
+  }
+  return studies;
+}
+
+}  // namespace flexura

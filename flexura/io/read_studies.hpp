@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "flexura/io/read_entities.hpp"
+#include "flexura/io/reading.hpp"
+#include "flexura/model/model.hpp"
+
+namespace flexura {
+
+/// What the studies refer to.
+struct StudyNames {
+  const std::vector<Body>& bodies;
+  NameIndex body_names;
+  NameIndex flexure_names;
+};
+
+std::vector<Study> read_studies(Reading& reading, const Place& place, const StudyNames& names);
+
+/// A study's list of modelings, each a name or a table of settings.
+std::vector<ModelingSettings> read_modelings(Reading& reading, const Place& place);
+
+/// The modeling the others are compared with where the file names none: continuum, else the first
+/// exact one, else the last named.
+std::size_t default_reference(const std::vector<ModelingSettings>& modelings);
+
+/// The value of a prbm modeling's `parameters`: the name of a set, or a table.
+PrbmSettings read_prbm_parameters(Reading& reading, const Place& place);
+
+}  // namespace flexura

@@ -1,0 +1,132 @@
+#include "flexura/io/vocabulary.hpp"
+
+#include <map>
+
+namespace flexura::vocabulary {
+
+const Vocabulary& model() {
+  static const Vocabulary v{{"flexura", "title", "units", "parameters", "materials", "sections",
+                             "bodies", "flexures", "studies"},
+                            {"joints", "drivers"}};
+  return v;
+}
+
+const Vocabulary& units() {
+  static const Vocabulary v{{"length", "force", "time", "angle"}, {}};
+  return v;
+}
+
+const Vocabulary& material() {
+  static const Vocabulary v{{"youngs_modulus", "poissons_ratio", "density"}, {}};
+  return v;
+}
+
+const Vocabulary& section() {
+  static const Vocabulary v{{"rectangle", "circle", "general"}, {"profile"}};
+  return v;
+}
+
+const Vocabulary& rectangle() {
+  static const Vocabulary v{{"thickness", "width"}, {"profile"}};
+  return v;
+}
+
+const Vocabulary& circle() {
+  static const Vocabulary v{{"diameter"}, {"profile"}};
+  return v;
+}
+
+const Vocabulary& general() {
+  static const Vocabulary v{{"area", "second_moment", "shear_area", "depth"}, {"profile"}};
+  return v;
+}
+
+const Vocabulary& body() {
+  static const Vocabulary v{{"fixed", "points", "centre", "mass", "inertia"}, {}};
+  return v;
+}
+
+const Vocabulary& flexure() {
+  static const Vocabulary v{{"between", "pinned", "axis", "material", "section"}, {}};
+  return v;
+}
+
+const Vocabulary& axis() {
+  static const Vocabulary v{{"line", "arc", "spline", "start_tangent", "end_tangent"}, {}};
+  return v;
+}
+
+const Vocabulary& arc() {
+  static const Vocabulary v{{"centre", "radius", "start", "sweep"}, {}};
+  return v;
+}
+
+const Vocabulary& linear_study() {
+  static const Vocabulary v{{"kind", "loads", "axial", "shear"}, {"about"}};
+  return v;
+}
+
+const Vocabulary& path_study() {
+  static const Vocabulary v{{"kind", "loads", "steps", "modelings", "reference"},
+                            {"prescribe", "control", "until"}};
+  return v;
+}
+
+const Vocabulary& inverse_study() {
+  static const Vocabulary v{{"kind", "relative", "steps", "modelings", "reference"}, {}};
+  return v;
+}
+
+const Vocabulary& load() {
+  static const Vocabulary v{{"on", "force", "moment", "follower"}, {"history", "angle"}};
+  return v;
+}
+
+const Vocabulary& relative() {
+  static const Vocabulary v{{"flexure", "x", "y", "rotation", "at"}, {}};
+  return v;
+}
+
+const Vocabulary& modeling(const std::string& modeling) {
+  const auto with = [](std::vector<std::string> own) {
+    std::vector<std::string> keys = {"name", "label", "axial", "shear", "tolerance"};
+    keys.insert(keys.end(), own.begin(), own.end());
+    return Vocabulary{keys, {}};
+  };
+  static const Vocabulary common = with({});
+  static const std::map<std::string, Vocabulary> particular = {
+      {"scmbm", with({"at"})},
+      {"prbm", with({"parameters"})},
+      {"exact", with({"modes"})},
+      {"beam", with({"theory", "elements", "order"})}};
+  const auto at = particular.find(modeling);
+  return at == particular.end() ? common : at->second;
+}
+
+const Vocabulary& prbm_parameters() {
+  static const Vocabulary v{{"model", "load_ratio", "lengths", "joints", "stiffness"}, {}};
+  return v;
+}
+
+const Vocabulary& study_kinds() {
+  static const Vocabulary v{{"linear", "path", "inverse"},
+                            {"modes", "buckling", "transient", "linkage"}};
+  return v;
+}
+
+const Vocabulary& modelings() {
+  static const Vocabulary v{{"linear", "scmbm", "prbm", "exact", "beam"}, {"continuum", "bcm"}};
+  return v;
+}
+
+const Vocabulary& parameter_sets() {
+  static const Vocabulary v{{"equal_springs", "su", "howell"}, {}};
+  return v;
+}
+
+const Vocabulary& theories() {
+  static const Vocabulary v{{"exact"}, {"linear", "euler_bernoulli", "timoshenko", "von_karman"}};
+  return v;
+}
+
+}  // namespace flexura::vocabulary

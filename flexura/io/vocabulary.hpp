@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flexura {
+
+/// The keys of one kind of table: those understood, and those of the format that this version
+/// does not support yet. The schema and the documentation name the same ones.
+struct Vocabulary {
+  std::vector<std::string> keys;
+  std::vector<std::string> planned;
+};
+
+namespace vocabulary {
+
+const Vocabulary& model();
+const Vocabulary& units();
+const Vocabulary& material();
+const Vocabulary& section();
+const Vocabulary& rectangle();
+const Vocabulary& circle();
+const Vocabulary& general();
+const Vocabulary& body();
+const Vocabulary& flexure();
+const Vocabulary& axis();
+const Vocabulary& arc();
+const Vocabulary& linear_study();
+const Vocabulary& path_study();
+const Vocabulary& inverse_study();
+const Vocabulary& load();
+const Vocabulary& relative();
+/// Of a modeling's table: `modeling` is "linear", "scmbm", "prbm", "exact" or "beam".
+const Vocabulary& modeling(const std::string& modeling);
+const Vocabulary& prbm_parameters();
+
+/// Words, not keys: kinds of study, modelings, prbm parameter sets, beam theories.
+const Vocabulary& study_kinds();
+const Vocabulary& modelings();
+const Vocabulary& parameter_sets();
+const Vocabulary& theories();
+
+}  // namespace vocabulary
+}  // namespace flexura

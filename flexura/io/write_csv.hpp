@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "flexura/results/path_result.hpp"
+
+namespace flexura {
+
+/// A CSV file's text, or the sentence that says which value it cannot carry.
+struct CsvText {
+  std::string text;
+  std::string error;
+};
+
+/// step, load_factor; for every moving body x, y, rotation and then x, y of its points; for every
+/// flexure mid.x, mid.y, mid.rotation; with reactions, for every body reaction.x, .y, .moment.
+/// Every number reads back to the same double; one that is not finite is an error.
+CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling);
+
+/// flexure, s, x, y, rotation, axial_force, shear_force, bending_moment, stress of the last state.
+CsvText make_members_csv(const PathResult& path, const ModelingPath& modeling);
+
+}  // namespace flexura

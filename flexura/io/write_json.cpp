@@ -1,0 +1,146 @@
+#include "flexura/io/write_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <variant>
+
+namespace flexura {
+namespace {
+
+// Objects in the order they are built: that of the model file.
+using Json = nlohmann::ordered_json;
+
+Json pair(Vec2 v) { return Json::array({v.x, v.y}); }
+
+Json optional_number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json units_json(const Result& result) {
+  return {{"length", result.length_unit},
+          {"force", result.force_unit},
+          {"time", result.time_unit},
+          {"angle", "rad"}};
+}
+
+void add_termination(Json& json, const Termination& termination) {
+  json["status"] = termination.converged() ? "converged" : "stopped";
+  // What was never run has not converged: it counts as stopped, and says so.
+  const bool silent = termination.status == Status::not_run && termination.reason.empty();
+  json["reason"] = silent ? "not run" : termination.reason;
+}
+
+Json state_json(const PathResult& path, const PathState& state) {
+  Json bodies = Json::object();
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Pose& pose = state.bodies[b];
+    bodies[path.bodies[b]] = {
+        {"x", pose.position.x}, {"y", pose.position.y}, {"rotation", pose.rotation}};
+  }
+  Json points = Json::object();
+  for (std::size_t p = 0; p < state.points.size(); ++p) {
+    points[path.points[p]] = {{"x", state.points[p].x}, {"y", state.points[p].y}};
+  }
+  return {{"bodies", std::move(bodies)}, {"points", std::move(points)}};
+}
+
+Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
+  Json json = {{"modeling", modeling.modeling}};
+  add_termination(json, modeling.termination);
+  json["unknowns"] = modeling.unknowns;
+  json["steps"] = modeling.steps;
+  json["iterations"] = modeling.iterations;
+  json["seconds"] = modeling.seconds;
+  json["error_estimate"] = optional_number(modeling.error_estimate);
+  json["difference"] = optional_number(modeling.difference);
+  Json& events = json["events"] = Json::array();
+  for (const PathEvent& event : modeling.events) {
+    events.push_back({{"kind", event.kind},
+                      {"load_factor", event.load_factor},
+                      {"state", state_json(path, event.state)}});
+  }
+  return json;
+}
+
+Json study_json(const StudyResult& study) {
+  Json json = {{"kind", study.kind}};
+  add_termination(json, study.termination);
+  json["modelings"] = Json::object();
+  if (const auto* path = std::get_if<PathResult>(&study.content)) {
+    if (path->reference < path->modelings.size()) {
+      json["reference"] = path->modelings[path->reference].label;
+    }
+    for (const ModelingPath& modeling : path->modelings) {
+      json["modelings"][modeling.label] = modeling_json(*path, modeling);
+    }
+  }
+  return json;
+}
+
+Json record_json(const ElasticityRecord& record) {
+  const std::optional<Ellipse>& e = record.ellipse;
+  Json json;
+  json["at"] = pair(record.at);
+  json["compliance"] = record.compliance;
+  json["elastic_weight"] = e ? e->weight : 0.0;
+  json["centre"] = e ? pair(e->centre) : Json(nullptr);
+  json["semi_axes"] = e ? Json::array({e->major, e->minor}) : Json(nullptr);
+  json["orientation"] = e ? Json(e->orientation) : Json(nullptr);
+  json["principal_compliances"] = record.principal_compliances;
+  json["principal_directions"] =
+      Json::array({pair(record.principal_directions[0]), pair(record.principal_directions[1])});
+  if (record.antipolar) {
+    const Line2& line = *record.antipolar;
+    json["antipolar"] = {{"point", pair(line.origin + line.offset * line.normal)},
+                         {"direction", pair(perp(line.normal))}};
+  } else {
+    json["antipolar"] = nullptr;
+  }
+  return json;
+}
+
+std::string text_of(const Json& json) {
+  // Names that are not valid UTF-8 are mended rather than refused.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+std::string make_summary_json(const Result& result) {
+  Json json = {{"title", result.title},
+               {"model_file", result.model_file},
+               {"version", result.version},
+               {"units", units_json(result)},
+               {"studies", Json::object()}};
+  for (const StudyResult& study : result.studies) json["studies"][study.name] = study_json(study);
+  return text_of(json);
+}
+
+std::string make_ellipse_json(const Result& result, const StudyResult& study,
+                              const LinearResult& linear) {
+  Json json = {{"study", study.name},
+               {"version", result.version},
+               {"units", units_json(result)},
+               {"order",
+                {{"load", {"force_x", "force_y", "moment"}},
+                 {"displacement", {"displacement_x", "displacement_y", "rotation"}}}},
+               {"flexures", Json::object()},
+               {"bodies", Json::object()},
+               {"points", Json::object()},
+               {"poles", Json::array()}};
+  for (const ElasticityRecord& record : linear.records) {
+    static constexpr const char* groups[] = {"flexures", "bodies", "points"};
+    json[groups[static_cast<int>(record.of)]][record.name] = record_json(record);
+  }
+  for (const PoleRecord& pole : linear.poles) {
+    json["poles"].push_back({{"load", pole.load},
+                             {"force", pair(pole.force)},
+                             {"moment", pole.moment},
+                             {"displacement", pair(pole.displacement)},
+                             {"rotation", pole.rotation},
+                             {"pole", pole.pole ? pair(*pole.pole) : Json(nullptr)}});
+  }
+  return text_of(json);
+}
+
+}  // namespace flexura

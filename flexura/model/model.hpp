@@ -1,0 +1,151 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "flexura/core/diagnostics.hpp"
+#include "flexura/core/vec2.hpp"
+#include "flexura/geometry/axis_curve.hpp"
+#include "flexura/geometry/section.hpp"
+#include "flexura/model/modeling_settings.hpp"
+
+namespace flexura {
+
+/// The declared units, as words of the model file. Every quantity of a Model is in the
+/// consistent system they span (stress = force/length^2, mass = force time^2/length), but for
+/// angles, which are in radians; `angle` is only how the file's results name angles.
+struct UnitNames {
+  std::string length;
+  std::string force;
+  std::string time;
+  std::string angle = "rad";
+};
+
+struct Material {
+  std::string name;
+  double youngs_modulus = 0.0;
+  double poissons_ratio = 0.0;
+  std::optional<double> density;
+  SourcePosition source;
+};
+
+struct NamedSection {
+  std::string name;
+  Section shape;
+  SourcePosition source;
+};
+
+struct Point {
+  std::string name;
+  Vec2 position;  ///< as drawn, global axes
+};
+
+struct Body {
+  std::string name;
+  bool fixed = false;
+  std::vector<Point> points;
+  std::optional<Vec2> centre;  ///< by default the first flexure end on the body
+  double mass = 0.0;
+  double inertia = 0.0;
+  SourcePosition source;
+};
+
+struct Flexure {
+  std::string name;
+  std::size_t base = 0;    ///< index into Model::bodies
+  std::size_t action = 0;  ///< index into Model::bodies
+  bool pinned_base = false;
+  bool pinned_action = false;
+  AxisShape axis;
+  std::size_t material = 0;
+  std::size_t section = 0;
+  SourcePosition source;
+};
+
+/// A force and a moment on a body, at one of its points or, without one, at its centre. A
+/// follower load turns with the body.
+struct Load {
+  std::size_t body = 0;
+  std::optional<std::size_t> point;
+  Vec2 force;
+  double moment = 0.0;
+  bool follower = false;
+};
+
+/// Study `linear`: compliance matrices and ellipses of elasticity about the drawn state; `loads`
+/// adds the poles of these loads.
+struct LinearStudy {
+  std::vector<Load> loads;
+  bool axial = true;
+  bool shear = true;
+};
+
+/// Study `path`: the equilibria as all loads grow together, in `steps` equal steps of the load
+/// factor from 0 to 1.
+struct PathStudy {
+  std::vector<Load> loads;
+  int steps = 20;
+  std::vector<ModelingSettings> modelings;
+  std::size_t reference = 0;  ///< index into modelings: what the others are compared with
+};
+
+/// The displacement of a flexure's action body relative to its base body, in axes fixed to the
+/// base body, at a point fixed to the action body: the flexure's end or its elastic centre.
+struct RelativeDisplacement {
+  enum class At { end, centre };
+  std::size_t flexure = 0;
+  Vec2 displacement;
+  double rotation = 0.0;
+  At at = At::end;
+};
+
+/// Study `inverse` (the full-inverse problem): the relative displacements of a set of flexures
+/// that reaches every moving body exactly once are prescribed, in `steps` equal steps, and the
+/// loads at the bodies' centres that hold the mechanism there come out.
+struct InverseStudy {
+  std::vector<RelativeDisplacement> relative;
+  int steps = 1;
+  std::vector<ModelingSettings> modelings;
+  std::size_t reference = 0;
+};
+
+struct Study {
+  std::string name;
+  std::variant<LinearStudy, PathStudy, InverseStudy> kind;
+  SourcePosition source;
+};
+
+/// What the engineer wrote, checked, in plain values. Order is that of the file throughout.
+struct Model {
+  std::string title;
+  UnitNames units;
+  std::vector<Material> materials;
+  std::vector<NamedSection> sections;
+  std::vector<Body> bodies;
+  std::vector<Flexure> flexures;
+  std::vector<Study> studies;
+};
+
+/// Where an axis begins (base end) and ends (action end), as drawn.
+struct AxisEnds {
+  Vec2 base;
+  Vec2 action;
+};
+AxisEnds axis_ends(const AxisShape& axis);
+
+/// The body's reference point as drawn: its `centre`, or the first flexure end on it, or else the
+/// origin.
+Vec2 body_centre(const Model& model, std::size_t body);
+
+/// The one place where all flexure ends on the body are pinned; nothing if one is clamped, if
+/// pins lie apart (they then hold the body's rotation between them), or if there are none.
+std::optional<Vec2> common_pin(const Model& model, std::size_t body);
+
+/// Whether a pose of the body makes sense beyond its position: false for a moving body that
+/// hangs on one common pin alone.
+bool body_can_turn(const Model& model, std::size_t body);
+
+}  // namespace flexura

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "flexura/model/rules.hpp"
+
+namespace flexura {
+namespace {
+
+enum class Shape { straight, symmetric, any };
+
+bool has_shape(const Flexure& flexure, Shape shape) {
+  if (shape == Shape::straight) return std::holds_alternative<LineAxis>(flexure.axis);
+  return shape == Shape::any || !std::holds_alternative<SplineAxis>(flexure.axis);
+}
+
+/// The names of the flexures that do not have the shape, few enough to read; empty if all do.
+std::string flexures_unlike(const Model& model, Shape shape) {
+  constexpr int most_named = 4;
+  std::string names;
+  int count = 0;
+  for (const Flexure& flexure : model.flexures) {
+    if (has_shape(flexure, shape)) continue;
+    if (++count <= most_named) names += (names.empty() ? "'" : ", '") + flexure.name + "'";
+  }
+  if (count > most_named) names += fmt::format(" and {} more", count - most_named);
+  return names;
+}
+
+struct PrbmRules {
+  const Model& model;
+  const KeyPath modeling;
+  Mistakes& mistakes;
+
+  void operator()(const PrbmEqualSprings&) const { need(Shape::symmetric, "equal_springs"); }
+  void operator()(const PrbmSu&) const { need(Shape::straight, "su"); }
+  void operator()(const PrbmHowell& howell) const {
+    need(Shape::straight, "howell");
+    if (howell.load_ratio) {
+      mistakes.require_finite(modeling / "parameters" / "load_ratio", *howell.load_ratio);
+    }
+  }
+
+  void operator()(const PrbmSegments& segments) const {
+    need(Shape::straight, "lengths");
+    const KeyPath lengths = modeling / "parameters" / "lengths";
+    if (segments.lengths.size() != segments.stiffness.size() + 1) {
+      mistakes.add(lengths, fmt::format("must be one more than the springs in stiffness, {}; "
+                                        "there are {}",
+                                        segments.stiffness.size(), segments.lengths.size()));
+    }
+    for (std::size_t i = 0; i < segments.lengths.size(); ++i) {
+      mistakes.require_not_negative(lengths / i, segments.lengths[i]);
+    }
+    const double sum = std::accumulate(segments.lengths.begin(), segments.lengths.end(), 0.0);
+    constexpr double rounding = 1e-9;
+    if (!(std::abs(sum - 1.0) <= rounding)) {
+      mistakes.add(lengths,
+                   fmt::format("must sum to 1, the length of the flexure; the sum is {}", sum));
+    }
+    check_stiffness(segments.stiffness);
+  }
+
+  void operator()(const PrbmJoints& joints) const {
+    const KeyPath path = modeling / "parameters" / "joints";
+    if (joints.joints.size() != joints.stiffness.size()) {
+      mistakes.add(path, fmt::format("there are {} joints but {} springs in stiffness",
+                                     joints.joints.size(), joints.stiffness.size()));
+    }
+    for (std::size_t i = 0; i < joints.joints.size(); ++i) {
+      mistakes.require_finite(path / i, joints.joints[i]);
+    }
+    check_stiffness(joints.stiffness);
+  }
+
+ private:
+  void need(Shape shape, const char* parameters) const {
+    const std::string names = flexures_unlike(model, shape);
+    if (names.empty()) return;
+    mistakes.add(modeling, fmt::format("modeling prbm with parameters '{}' is for {} flexures; "
+                                       "this model has {}",
+                                       parameters,
+                                       shape == Shape::straight ? "straight" : "symmetric", names));
+  }
+
+  void check_stiffness(const std::vector<double>& stiffness) const {
+    const KeyPath path = modeling / "parameters" / "stiffness";
+    if (stiffness.empty()) mistakes.add(path, "needs a spring");
+    for (std::size_t i = 0; i < stiffness.size(); ++i) {
+      mistakes.require_positive(path / i, stiffness[i]);
+    }
+  }
+};
+
+struct ModelingRules {
+  const Model& model;
+  const KeyPath path;
+  Mistakes& mistakes;
+
+  void operator()(const LinearSettings&) const {}
+  void operator()(const ScmbmSettings&) const {}
+  void operator()(const PrbmSettings& prbm) const {
+    std::visit(PrbmRules{model, path, mistakes}, prbm.parameters);
+  }
+  void operator()(const ExactSettings& exact) const {
+    if (exact.modes) mistakes.require_between(path / "modes", *exact.modes, 2, 32);
+  }
+  void operator()(const BeamSettings& beam) const {
+    mistakes.require_between(path / "elements", beam.elements, 1, 100000);
+    mistakes.require_between(path / "order", beam.order, 1, 8);
+  }
+};
+
+}  // namespace
+
+void check_modelings(const Model& model, const std::vector<ModelingSettings>& modelings,
+                     std::size_t reference, const KeyPath& path, Mistakes& mistakes) {
+  if (modelings.empty()) mistakes.add(path / "modelings", "at least one modeling is needed");
+  std::map<std::string, std::size_t> labels;
+  for (std::size_t i = 0; i < modelings.size(); ++i) {
+    const ModelingSettings& settings = modelings[i];
+    const KeyPath entry = path / "modelings" / i;
+    std::visit(ModelingRules{model, entry, mistakes}, settings.kind);
+    if (!(settings.tolerance > 0.0 && settings.tolerance < 1.0)) {
+      mistakes.add(entry / "tolerance",
+                   fmt::format("must lie between 0 and 1, is {}", settings.tolerance));
+    }
+    if (!is_file_word(settings.label)) {
+      mistakes.add(entry / "label",
+                   fmt::format("the label '{}' becomes a file name: only letters, digits, _ and -",
+                               settings.label));
+    }
+    const auto [first, is_new] = labels.try_emplace(settings.label, i);
+    if (!is_new) {
+      mistakes.add(entry / "label",
+                   fmt::format("the label '{}' is taken by the modeling before it (number {}); "
+                               "give one of them a label of its own",
+                               settings.label, first->second + 1));
+    }
+  }
+  if (!modelings.empty() && reference >= modelings.size()) {
+    mistakes.add(path / "reference", fmt::format("there is no modeling number {}", reference));
+  }
+}
+
+}  // namespace flexura

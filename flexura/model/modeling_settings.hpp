@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "flexura/core/diagnostics.hpp"
+#include "flexura/core/vec2.hpp"
+
+namespace flexura {
+
+struct LinearSettings {};
+
+struct ScmbmSettings {
+  /// The point of the action body at which the compliance matrix relates load and displacement.
+  enum class At { centre, end };
+  At at = At::centre;
+};
+
+/// Three equal springs that match the flexure's linear bending compliance exactly.
+struct PrbmEqualSprings {};
+/// Su's 3R chain for a straight flexure (Su, J. Mech. Rob. 1(2), 2009).
+struct PrbmSu {};
+/// Howell's 1R model for a straight flexure; without `load_ratio` n (axial compression over
+/// transverse force) it follows the load.
+struct PrbmHowell {
+  std::optional<double> load_ratio;
+};
+/// The user's own chain for straight flexures: `lengths` of the rigid segments from base to
+/// action end (fractions of the flexure's length, one more than springs), `stiffness` in EI/L.
+struct PrbmSegments {
+  std::vector<double> lengths;
+  std::vector<double> stiffness;
+};
+/// The user's own chain for any flexure: joints from base to action end in the flexure's
+/// frame (origin at the elastic centre, x across the symmetry axis from the base end to the
+/// action end, y from the centre towards the middle of the axis), as fractions of its length;
+/// `stiffness` in EI/L.
+struct PrbmJoints {
+  std::vector<Vec2> joints;
+  std::vector<double> stiffness;
+};
+
+struct PrbmSettings {
+  std::variant<PrbmEqualSprings, PrbmSu, PrbmHowell, PrbmSegments, PrbmJoints> parameters;
+};
+
+struct ExactSettings {
+  std::optional<int> modes;  ///< Legendre modes per smooth piece; chosen from tolerance if absent
+};
+
+/// Geometrically exact beam elements, `order` + 1 nodes each.
+struct BeamSettings {
+  int elements = 16;  ///< per flexure
+  int order = 1;
+};
+
+/// A modeling as a study asks for it.
+struct ModelingSettings {
+  using Kind =
+      std::variant<LinearSettings, ScmbmSettings, PrbmSettings, ExactSettings, BeamSettings>;
+
+  Kind kind;
+  std::string label;  ///< names the results; by default the modeling's name
+  bool axial = true;
+  bool shear = true;
+  double tolerance = 1e-8;  ///< relative, on the points' paths
+  SourcePosition source;
+};
+
+/// "linear", "scmbm", "prbm", "exact" or "beam".
+std::string modeling_name(const ModelingSettings& settings);
+
+}  // namespace flexura

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <map>
+
+#include "flexura/model/rules.hpp"
+
+namespace flexura {
+namespace {
+
+/// A body that hangs on one pin has no rotation of its own: it takes forces at the pin only.
+class PinRules {
+ public:
+  PinRules(const Model& model, Mistakes& mistakes) : model_(model), mistakes_(mistakes) {}
+
+  void check(const Load& load, const KeyPath& path) {
+    if (load.body >= model_.bodies.size()) return;
+    const Body& body = model_.bodies[load.body];
+    if (load.point && *load.point >= body.points.size()) return;
+    const std::optional<Vec2> pin = pin_of(load.body);
+    if (!pin) return;
+    if (load.moment != 0.0) {
+      mistakes_.add(path / "moment",
+                    fmt::format("body '{}' hangs on one pin: it takes no moment", body.name));
+    }
+    const Vec2 at = load.point ? body.points[*load.point].position : body_centre(model_, load.body);
+    constexpr double same_place = 1e-6;
+    const bool away = norm(at - *pin) > same_place * (norm(at) + norm(*pin));
+    if (away && load.force != Vec2{}) {
+      mistakes_.add(path / "force",
+                    fmt::format("body '{}' hangs on one pin at [{}, {}]: it takes no force at "
+                                "[{}, {}]",
+                                body.name, pin->x, pin->y, at.x, at.y));
+    }
+  }
+
+  void check(const RelativeDisplacement& relative, const KeyPath& path) {
+    if (relative.flexure >= model_.flexures.size() || relative.rotation == 0.0) return;
+    const Flexure& flexure = model_.flexures[relative.flexure];
+    for (const std::size_t body : {flexure.base, flexure.action}) {
+      if (body >= model_.bodies.size() || !pin_of(body)) continue;
+      mistakes_.add(path / "rotation",
+                    fmt::format("body '{}' hangs on one pin: its rotation means nothing",
+                                model_.bodies[body].name));
+    }
+  }
+
+ private:
+  std::optional<Vec2> pin_of(std::size_t body) {
+    if (model_.bodies[body].fixed) return {};
+    const auto [at, is_new] = pins_.try_emplace(body);
+    if (is_new) at->second = common_pin(model_, body);
+    return at->second;
+  }
+
+  const Model& model_;
+  Mistakes& mistakes_;
+  std::map<std::size_t, std::optional<Vec2>> pins_;
+};
+
+}  // namespace
+
+void check_pins(const Model& model, Mistakes& mistakes) {
+  PinRules rules(model, mistakes);
+  const auto check_all = [&rules](const auto& entries, const KeyPath& path) {
+    for (std::size_t i = 0; i < entries.size(); ++i) rules.check(entries[i], path / i);
+  };
+  for (const Study& study : model.studies) {
+    const KeyPath path = {"studies", study.name};
+    if (const auto* linear = std::get_if<LinearStudy>(&study.kind)) {
+      check_all(linear->loads, path / "loads");
+    } else if (const auto* traced = std::get_if<PathStudy>(&study.kind)) {
+      check_all(traced->loads, path / "loads");
+    } else if (const auto* inverse = std::get_if<InverseStudy>(&study.kind)) {
+      check_all(inverse->relative, path / "relative");
+    }
+  }
+}
+
+}  // namespace flexura

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "flexura/assembly/two_port.hpp"
+#include "flexura/model/modeling_settings.hpp"
+#include "flexura/modelings/beam_mesh.hpp"
+#include "flexura/modelings/station_grid.hpp"
+
+namespace flexura {
+
+/// TwoPort::error_ratio of a halved mesh: the error at the ends falls as h^(2 order).
+double halving_error_ratio(const BeamMesh& mesh);
+
+/// Interpolates `components` values per node of `mesh`, the first node's zeros left out, at the
+/// nodes of `finer`.
+void prolong_nodes(const BeamMesh& mesh, const BeamMesh& finer, std::size_t components,
+                   std::span<const double> coarse, std::span<double> fine);
+
+/// The section at a station from its pose, with the forces that hold it in equilibrium with the
+/// tip.
+SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
+                        const Eigen::Vector3d& load);
+
+/// Exact beam elements with the forces as unknowns (see make_beam_port).
+std::shared_ptr<const TwoPort> make_force_beam_port(const FlexureProperties& flexure,
+                                                    const BeamSettings& settings);
+
+}  // namespace flexura

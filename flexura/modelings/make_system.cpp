@@ -1,0 +1,109 @@
+#include "flexura/modelings/make_system.hpp"
+
+#include <cmath>
+
+#include "flexura/modelings/beam.hpp"
+#include "flexura/modelings/compliance.hpp"
+#include "flexura/modelings/exact.hpp"
+#include "flexura/modelings/flexure_properties.hpp"
+#include "flexura/modelings/prbm.hpp"
+
+namespace flexura {
+namespace {
+
+/// A modeling's port, and the point of the tip that its load and displacement are taken at.
+struct PlacedPort {
+  std::shared_ptr<const TwoPort> port;
+  Vec2 at;
+};
+
+struct PortMaker {
+  const FlexureProperties& flexure;
+  double tolerance;
+  std::optional<double> load_ratio;
+
+  Vec2 end() const { return flexure.axis.position(flexure.axis.length()); }
+
+  PlacedPort operator()(const LinearSettings&) const {
+    return {std::make_shared<CompliantPort>(flexure, end()), end()};
+  }
+  PlacedPort operator()(const ScmbmSettings& settings) const {
+    const Vec2 at = settings.at == ScmbmSettings::At::end
+                        ? end()
+                        : elastic_centre(compliance_matrix(flexure, end()), end());
+    return {std::make_shared<CompliantPort>(flexure, at), at};
+  }
+  PlacedPort operator()(const PrbmSettings& settings) const {
+    return {make_prbm_port(flexure, pseudo_rigid_chain(flexure, settings, load_ratio)), end()};
+  }
+  PlacedPort operator()(const ExactSettings& settings) const {
+    return {make_exact_port(flexure, settings, tolerance), end()};
+  }
+  PlacedPort operator()(const BeamSettings& settings) const {
+    return {make_beam_port(flexure, settings), end()};
+  }
+};
+
+}  // namespace
+
+SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
+                         const ModelingSettings& settings,
+                         const std::vector<std::optional<double>>& load_ratios) {
+  SystemLayout layout;
+  layout.linearised = std::holds_alternative<LinearSettings>(settings.kind);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    layout.bodies.push_back(
+        {body_centre(model, b), !model.bodies[b].fixed, body_can_turn(model, b)});
+  for (std::size_t k = 0; k < model.flexures.size(); ++k) {
+    const Flexure& flexure = model.flexures[k];
+    const FlexureProperties properties =
+        flexure_properties(model, flexure, settings.axial, settings.shear);
+    const auto ratio = load_ratios.empty() ? std::nullopt : load_ratios[k];
+    PlacedPort placed = std::visit(PortMaker{properties, settings.tolerance, ratio}, settings.kind);
+    const Vec2 end = properties.axis.position(properties.axis.length());
+    SystemLayout::Member member;
+    member.base = flexure.base;
+    member.action = flexure.action;
+    member.pinned_base = flexure.pinned_base;
+    member.pinned_action = flexure.pinned_action;
+    member.arms = {properties.axis.position(0.0) - layout.bodies[flexure.base].centre,
+                   end - layout.bodies[flexure.action].centre, placed.at - end};
+    member.length = properties.axis.length();
+    member.bending_stiffness = properties.bending_stiffness;
+    member.port = std::move(placed.port);
+    layout.members.push_back(std::move(member));
+  }
+  for (const Load& load : loads) {
+    const Vec2 centre = layout.bodies[load.body].centre;
+    const Vec2 at = load.point ? model.bodies[load.body].points[*load.point].position : centre;
+    layout.loads.push_back({load.body, at - centre, load.force, load.moment, load.follower});
+  }
+  return layout;
+}
+
+bool follows_load_ratio(const ModelingSettings& settings) {
+  const auto* prbm = std::get_if<PrbmSettings>(&settings.kind);
+  const auto* howell = prbm ? std::get_if<PrbmHowell>(&prbm->parameters) : nullptr;
+  return howell && !howell->load_ratio;
+}
+
+std::vector<std::optional<double>> find_load_ratios(const Model& model, const System& system,
+                                                    const std::vector<double>& z) {
+  std::vector<std::optional<double>> ratios;
+  for (std::size_t k = 0; k < model.flexures.size(); ++k) {
+    const AxisCurve axis(model.flexures[k].axis);
+    const Vec2 t = unit(axis.tangent_angle(0.0));
+    const Eigen::Vector3d load = system.member_load(k, z);
+    const Vec2 f{load[0], load[1]};
+    const double transverse = std::abs(dot(f, perp(t)));
+    // a moment that bends a hundred times more than the force is a pure moment
+    const bool moment_alone = axis.length() * norm(f) < 0.01 * std::abs(load[2]);
+    if (moment_alone || norm(f) == 0.0)
+      ratios.emplace_back();
+    else
+      ratios.emplace_back(-dot(f, t) / std::max(transverse, 1e-3 * norm(f)));
+  }
+  return ratios;
+}
+
+}  // namespace flexura

@@ -1,0 +1,191 @@
+'use strict';
+// A small line chart with a readout under the pointer and a marker that follows the slider.
+class Chart {
+  // options: title, xTitle, log (values are then percent), zero (include 0 in the y range),
+  // onSeek(x), empty (what to say where there is nothing to draw).
+  constructor(host, options) {
+    this.options = options;
+    this.lines = [];
+    this.marker = null;
+    const figure = d3.select(host).append('figure').attr('class', 'chart');
+    this.caption = figure.append('figcaption').text(options.title);
+    this.frame = figure.append('div').attr('class', 'chart-frame');
+    this.svg = this.frame.append('svg').attr('role', 'img').attr('aria-label', options.title);
+    this.tip = this.frame.append('div').attr('class', 'chart-tip').attr('hidden', true);
+    this.margin = { left: 58, right: 12, top: 8, bottom: 34 };
+    this.connectPointer();
+    new ResizeObserver(() => this.draw()).observe(this.frame.node());
+  }
+
+  // lines: [{label, colour, points: [{x, y, unstable}], marks: [{x, y, title}],
+  // isReference}]
+  show(lines, title) {
+    const usable = (p) => Numbers.isNumber(p.y) && (!this.options.log || p.y > 0);
+    this.lines = lines.map((line) => ({ ...line, points: line.points.filter(usable) }))
+      .filter((line) => line.points.length > 0);
+    if (title) {
+      this.caption.text(title);
+      this.svg.attr('aria-label', title);
+    }
+    this.draw();
+  }
+
+  mark(x) {
+    this.marker = x;
+    this.drawMarker();
+  }
+
+  scales() {
+    const points = this.lines.flatMap((line) => line.points);
+    const xs = this.options.xRange || d3.extent(points, (p) => p.x);
+    this.x = d3.scaleLinear().domain(xs).range([this.margin.left, this.width - this.margin.right]);
+    const range = [this.height - this.margin.bottom, this.margin.top];
+    let [low, high] = d3.extent(points, (p) => p.y);
+    if (this.options.log) {
+      // Rounding of the embedded data makes anything below a ten-millionth meaningless.
+      low = Math.max(low, high * 1e-9);
+      if (high / low < 10) [low, high] = [low / 3, high * 3];
+      this.y = d3.scaleLog().domain([low / 1.4, high * 1.4]).range(range).clamp(true);
+      return;
+    }
+    low = Math.min(low, 0);
+    high = Math.max(high, 0);
+    if (low === high) [low, high] = [-1, 1];
+    this.y = d3.scaleLinear().domain([low, high]).nice(4).range(range);
+  }
+
+  draw() {
+    this.width = this.frame.node().clientWidth;
+    this.height = this.frame.node().clientHeight;
+    this.svg.selectAll('*').remove();
+    if (!this.width) return;
+    if (this.lines.length === 0) {
+      this.svg.append('text').attr('class', 'chart-empty').attr('text-anchor', 'middle')
+        .attr('x', this.width / 2).attr('y', this.height / 2).text(this.options.empty || 'No data');
+      return;
+    }
+    this.scales();
+    this.drawAxes();
+    const area = this.svg.append('g').attr('class', 'chart-lines');
+    // The reference lies broad under what is compared with it, so that neither hides the other.
+    const under = this.lines.filter((line) => line.isReference);
+    const over = this.lines.filter((line) => !line.isReference);
+    for (const line of [...under, ...over]) this.drawLine(area, line);
+    this.hover = this.svg.append('line').attr('class', 'chart-hover');
+    this.markerGroup = this.svg.append('g').attr('class', 'chart-marker');
+    this.drawMarker();
+  }
+
+  yTicks() {
+    if (!this.options.log) return this.y.ticks(4);
+    const [low, high] = this.y.domain().map(Math.log10);
+    const step = Math.max(1, Math.ceil((high - low) / 4));
+    return d3.range(Math.ceil(low), Math.floor(high) + 1, step).map((e) => 10 ** e);
+  }
+
+  drawAxes() {
+    const { left, bottom } = this.margin;
+    const floor = this.height - bottom;
+    const ticks = this.yTicks();
+    const right = this.width - this.margin.right;
+    const grid = this.svg.append('g').attr('class', 'chart-grid');
+    grid.selectAll('line').data(ticks).enter().append('line')
+      .attr('x1', left).attr('x2', right).attr('y1', this.y).attr('y2', this.y)
+      .classed('is-zero', (t) => t === 0);
+    const text = (value) => (this.options.log && value < 1e-3
+      ? Numbers.powerOfTen(Math.round(Math.log10(value))) : Numbers.short(value));
+    this.svg.append('g').attr('class', 'chart-axis').attr('transform', `translate(${left},0)`)
+      .call(d3.axisLeft(this.y).tickValues(ticks).tickFormat(text).tickSize(0).tickPadding(7));
+    this.svg.append('g').attr('class', 'chart-axis').attr('transform', `translate(0,${floor})`)
+      .call(d3.axisBottom(this.x).ticks(5).tickFormat((v) => Numbers.short(v)).tickSize(4));
+    this.svg.append('text').attr('class', 'chart-x-title').attr('text-anchor', 'end')
+      .attr('x', right).attr('y', this.height - 3).text(this.options.xTitle);
+  }
+
+  // Runs of stable and unstable states, each a path of its own; unstable ones are dashed.
+  drawLine(area, line) {
+    const path = d3.line().x((p) => this.x(p.x)).y((p) => this.y(p.y));
+    const group = area.append('g').style('--colour', line.colour)
+      .classed('is-reference', line.isReference === true);
+    let begin = 0;
+    const segment = (i) => line.points[i].unstable || line.points[i + 1].unstable;
+    for (let i = 1; i < line.points.length; ++i) {
+      const last = i === line.points.length - 1;
+      if (!last && segment(i) === segment(i - 1)) continue;
+      group.append('path').attr('d', path(line.points.slice(begin, i + 1)))
+        .attr('class', segment(i - 1) ? 'chart-line is-unstable' : 'chart-line');
+      begin = i;
+    }
+    const diamond = d3.symbol().type(d3.symbolDiamond).size(48);
+    for (const mark of line.marks || []) {
+      group.append('path').attr('class', 'chart-event').attr('d', diamond())
+        .attr('transform', `translate(${this.x(mark.x)},${this.y(mark.y)})`)
+        .append('title').text(mark.title);
+    }
+  }
+
+  // The value of a line at x, linear between its points; null beyond its ends.
+  valueAt(line, x) {
+    const i = d3.bisector((p) => p.x).left(line.points, x - 1e-9);
+    if (i >= line.points.length) return null;
+    const b = line.points[i];
+    if (i === 0) return Math.abs(b.x - x) < 1e-9 ? b.y : null;
+    const a = line.points[i - 1];
+    return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+  }
+
+  drawMarker() {
+    if (!this.markerGroup || this.marker === null || this.lines.length === 0) return;
+    const at = this.x(this.marker);
+    this.markerGroup.selectAll('*').remove();
+    this.markerGroup.append('line').attr('x1', at).attr('x2', at)
+      .attr('y1', this.margin.top).attr('y2', this.height - this.margin.bottom);
+    for (const line of this.lines) {
+      const value = this.valueAt(line, this.marker);
+      if (value === null) continue;
+      this.markerGroup.append('circle').attr('cx', at).attr('cy', this.y(value)).attr('r', 3)
+        .style('--colour', line.colour);
+    }
+  }
+
+  connectPointer() {
+    const node = this.frame.node();
+    const xOf = (event) => {
+      const [a, b] = this.x.domain();
+      const x = this.x.invert(event.clientX - node.getBoundingClientRect().left);
+      return Math.min(Math.max(x, a), b);
+    };
+    const seek = (event) => this.options.onSeek && this.options.onSeek(xOf(event));
+    node.addEventListener('pointermove', (event) => {
+      if (this.lines.length === 0) return;
+      if (event.buttons & 1) seek(event);
+      this.showTip(xOf(event));
+    });
+    node.addEventListener('pointerdown', (event) => this.lines.length && seek(event));
+    node.addEventListener('pointerleave', () => {
+      this.tip.attr('hidden', true);
+      if (this.hover) this.hover.classed('is-on', false);
+    });
+    if (this.options.onSeek) this.frame.classed('can-seek', true);
+  }
+
+  showTip(x) {
+    const at = this.x(x);
+    this.hover.classed('is-on', true).attr('x1', at).attr('x2', at)
+      .attr('y1', this.margin.top).attr('y2', this.height - this.margin.bottom);
+    this.tip.attr('hidden', null).html('');
+    this.tip.append('div').attr('class', 'chart-tip-x')
+      .text(`${this.options.xTitle.split(',')[0]} ${Numbers.short(x, 3)}`);
+    for (const line of this.lines) {
+      const value = this.valueAt(line, x);
+      if (value === null) continue;
+      const row = this.tip.append('div').style('--colour', line.colour);
+      row.append('span').attr('class', 'swatch');
+      row.append('span').attr('class', 'chart-tip-label').text(line.label);
+      row.append('span').attr('class', 'chart-tip-value').text(Numbers.format(value, 5));
+    }
+    const width = this.tip.node().offsetWidth;
+    const left = at + 12 + width > this.width ? at - 12 - width : at + 12;
+    this.tip.style('left', `${Math.max(0, left)}px`);
+  }
+}

@@ -1,0 +1,129 @@
+'use strict';
+// The mechanism as drawn items for a View: flexures as bands of their true depth, bodies, ground,
+// points and loads.
+const Mechanism = (() => {
+  const { bodies, flexures } = Motion;
+  const drawingBodies = State.data.drawing.bodies;
+  const all = [...bodies.values()];
+  const places = [
+    ...flexures.flatMap((f) => f.axis), ...all.flatMap((b) => [...b.ends, ...b.points])];
+  const [x0, x1] = d3.extent(places, (p) => p[0]);
+  const [y0, y1] = d3.extent(places, (p) => p[1]);
+  const extent = Math.max(x1 - x0, y1 - y0) || 1;
+  const undeformedBox = [[x0, y0], [x1, y1]];
+
+  // Thick enough to be seen and to show that it is one piece; it never hides a flexure's end.
+  const bodyRadius = 0.011 * extent;
+  const thinnestFlexure = 1.5;
+
+  const smooth = d3.line().curve(d3.curveCatmullRom);
+  const straight = d3.line();
+
+  function flexureItems(view, axes, look) {
+    return axes.map((axis, i) => ({
+      ...look,
+      d: (look.chain ? straight : smooth)(axis.map((p) => view.project(p))),
+      width: look.chain ? 1.6 : Math.max(thinnestFlexure, flexures[i].depth * view.scale),
+      key: `${look.key} ${flexures[i].name}`,
+    }));
+  }
+
+  // The joints of a chain of rigid segments.
+  function jointItems(view, axes, look) {
+    return axes.flatMap((axis, i) => axis.slice(1, -1).map((p, j) => ({
+      ...look, d: Shapes.circle(view.project(p), 3), key: `${look.key} ${i} ${j}`,
+    })));
+  }
+
+  function bodyItem(view, body, carried, look) {
+    const on = [...body.ends, ...body.points];
+    const outline = (on.length ? on : [body.centre]).map((p) => view.project(carried(p)));
+    return {
+      ...look,
+      d: Shapes.roundedHull(outline, Math.max(4, bodyRadius * view.scale)),
+      key: `${look.key} ${body.name}`,
+    };
+  }
+
+  const still = (p) => p;
+
+  function drawGhost(view) {
+    const look = { key: 'ghost' };
+    const moving = all.filter((body) => !body.fixed);
+    view.paths('ghost-bodies', moving.map((body) => bodyItem(view, body, still, look)));
+    view.paths('ghost-flexures', flexureItems(view, flexures.map((f) => f.axis), look));
+  }
+
+  // Ground under every flexure end that a fixed body holds; a pin where it may turn there.
+  function drawGround(view) {
+    const held = flexures.flatMap((flexure) => {
+      const axis = flexure.axis;
+      const last = axis.length - 1;
+      const ends = [];
+      if (bodies.get(flexure.base).fixed) ends.push([axis[0], axis[1], flexure.pinned_base]);
+      if (bodies.get(flexure.action).fixed) {
+        ends.push([axis[last], axis[last - 1], flexure.pinned_action]);
+      }
+      return ends;
+    });
+    const symbols = held.map(([end, next, pinned]) => {
+      const p = view.project(end);
+      const q = view.project(next);
+      const angle = Math.atan2(q[1] - p[1], q[0] - p[0]);
+      return { ...Shapes.ground(p, angle), pin: pinned ? Shapes.circle(p, 4) : '' };
+    });
+    view.paths('ground', symbols.flatMap(({ line, hatch, pin }) => [
+      { d: line, class: 'ground-line' }, { d: hatch, class: 'ground-hatch' },
+      { d: pin, class: 'ground-pin' },
+    ]));
+  }
+
+  // Where a load or a point named "body" or "body.point" is drawn, and on which body.
+  function find(on) {
+    for (const body of drawingBodies) {
+      if (on === body.name) return { body: bodies.get(body.name), place: body.centre };
+      const k = body.point_names.findIndex((point) => on === `${body.name}.${point}`);
+      if (k >= 0) return { body: bodies.get(body.name), place: bodies.get(body.name).points[k] };
+    }
+    return null;
+  }
+  // Arrows for a force and an arc for a moment at `place`; `share` (0 to 1) scales the length.
+  function loadItems(view, place, force, moment, share, label) {
+    const p = view.project(place);
+    const items = [];
+    const texts = [];
+    const size = Math.hypot(...force);
+    if (size > 0) {
+      const length = 16 + 46 * share;
+      const angle = Math.atan2(-force[1], force[0]);
+      // The arrow starts at its point, so that it never lies on the body it pulls.
+      const tip = [p[0] + length * Math.cos(angle), p[1] + length * Math.sin(angle)];
+      const { shaft, head } = Shapes.arrow(tip, angle, length);
+      items.push({ d: shaft, class: 'load-shaft' }, { d: head, class: 'load-head' });
+      // Beside the middle of the shaft, on its upper side.
+      const across = Math.abs(Math.cos(angle)) > 0.5 ? 9 : 14;
+      const side = Math.cos(angle) >= 0 ? 1 : -1;
+      texts.push({
+        at: [p[0] + 0.6 * length * Math.cos(angle) + side * across * Math.sin(angle),
+          p[1] + 0.6 * length * Math.sin(angle) - side * across * Math.cos(angle)],
+        anchor: Math.abs(Math.cos(angle)) > 0.5 ? 'middle' : 'start',
+        text: `${Numbers.short(size, 3)} ${State.units.force}`,
+      });
+    }
+    if (moment !== 0) {
+      const { shaft, head } = Shapes.momentArc(p, 20, moment > 0);
+      items.push({ d: shaft, class: 'load-shaft' }, { d: head, class: 'load-head' });
+      texts.push({
+        at: [p[0], p[1] + 36],
+        anchor: 'middle',
+        text: `${Numbers.short(Math.abs(moment), 3)} ${State.units.force}·${State.units.length}`,
+      });
+    }
+    return { items, texts: label === false ? [] : texts };
+  }
+
+  return {
+    extent, undeformedBox, flexureItems, jointItems, bodyItem, drawGhost, drawGround, find,
+    loadItems, still,
+  };
+})();

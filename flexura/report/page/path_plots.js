@@ -1,0 +1,109 @@
+'use strict';
+// Displacements, rotation, reactions and the difference from the reference along a path, for the
+// point or body that the reader has chosen.
+const PathPlots = (() => {
+  const { length, force } = State.units;
+
+  function chooser(host, subjects) {
+    const label = d3.select(host).append('label').attr('class', 'chooser');
+    label.append('span').text('Point or body');
+    const select = label.append('select').attr('id', 'subject')
+      .on('change', function changed() { State.set({ subject: Number(this.value) }); });
+    const groups = [['Points', 'point'], ['Bodies, at their centres', 'body']];
+    for (const [title, kind] of groups) {
+      const of = subjects.map((s, i) => ({ ...s, i })).filter((s) => s.kind === kind);
+      if (of.length === 0) continue;
+      select.append('optgroup').attr('label', title).selectAll('option').data(of).enter()
+        .append('option').attr('value', (s) => s.i).text((s) => s.name);
+    }
+    select.property('value', State.chosen.subject);
+  }
+
+  // One line per visible modeling: value(state, first state, modeling, index).
+  function lines(path, timeline, value) {
+    return path.modelings.filter((m) => !State.chosen.hidden.has(m.label)).map((m) => {
+      const isReference = m === path.modelings[path.reference];
+      const times = timeline.positions(m);
+      const points = m.states.map((state, i) => ({
+        x: times[i], y: value(state, m.states[0], m, i), unstable: state.unstable,
+      }));
+      const marks = timeline.byLoad ? m.events.filter((e) => e.state).map((e) => ({
+        x: e.load_factor,
+        y: value(e.state, m.states[0], m, null),
+        title: `${m.label}: ${e.kind} at load factor ${Numbers.short(e.load_factor)}`,
+      })).filter((mark) => Numbers.isNumber(mark.y)) : [];
+      return { label: m.label, colour: State.colour(m.label), points, marks, isReference };
+    });
+  }
+
+  function optionsFor(timeline) {
+    return {
+      xTitle: timeline.name,
+      xRange: [0, timeline.end],
+      onSeek: (x) => State.set({ position: x }),
+    };
+  }
+
+  // charts: pairs of a chart and value(subject, its index), which gives the value of a state.
+  function follow(charts, study, subjects, timeline) {
+    State.follow(['subject', 'hidden'], () => {
+      const index = State.chosen.subject;
+      for (const [chart, value] of charts) {
+        chart.show(lines(study.path, timeline, value(subjects[index], index)));
+      }
+    });
+    State.follow(['position'], () => {
+      for (const [chart] of charts) chart.mark(State.chosen.position);
+    });
+  }
+
+  function make(host, study, subjects, timeline) {
+    const path = study.path;
+    const reference = path.modelings[path.reference];
+    chooser(host, subjects);
+    const grid = d3.select(host).append('div').attr('class', 'charts').node();
+    const common = optionsFor(timeline);
+    const offset = (axis) => (subject) => (state, first) => (
+      subject.place(state)[axis] - subject.place(first)[axis]);
+    const rotation = (subject) => (state) => subject.rotation(state);
+    const difference = (_, index) => (state, first, modeling, i) => {
+      const series = modeling.differences[index];
+      return i === null || !series || series[i] === null ? null : 100 * series[i];
+    };
+    const charts = [
+      [new Chart(grid, { ...common, title: `Displacement in x, ${length}` }), offset(0)],
+      [new Chart(grid, { ...common, title: `Displacement in y, ${length}` }), offset(1)],
+      [new Chart(grid, { ...common, title: 'Rotation, rad' }), rotation],
+    ];
+    if (path.modelings.length > 1) {
+      charts.push([new Chart(grid, {
+        ...common,
+        title: `Difference from ${reference.label}, %`,
+        log: true,
+        empty: `Nothing is shown that differs from ${reference.label}`,
+      }), difference]);
+    }
+    follow(charts, study, subjects, timeline);
+  }
+
+  // The loads that hold the body of the chosen subject, at the body's centre.
+  function makeReactions(host, study, subjects, timeline) {
+    const section = d3.select(host).append('section').attr('class', 'panel');
+    const heading = section.append('h2');
+    const grid = section.append('div').attr('class', 'charts charts-thirds').node();
+    const common = optionsFor(timeline);
+    const reaction = (axis) => (subject) => (state) => (
+      state.reactions && subject.owner !== null ? state.reactions[subject.owner][axis] : null);
+    follow([
+      [new Chart(grid, { ...common, title: `Force in x, ${force}` }), reaction(0)],
+      [new Chart(grid, { ...common, title: `Force in y, ${force}` }), reaction(1)],
+      [new Chart(grid, { ...common, title: `Moment, ${force}·${length}` }), reaction(2)],
+    ], study, subjects, timeline);
+    State.follow(['subject'], () => {
+      const { owner } = subjects[State.chosen.subject];
+      heading.text(`Reactions that hold ${study.path.bodies[owner]}, at its centre`);
+    });
+  }
+
+  return { make, makeReactions };
+})();

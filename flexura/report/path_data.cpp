@@ -1,0 +1,95 @@
+#include "flexura/report/data_json.hpp"
+#include "flexura/report/difference.hpp"
+#include "flexura/results/point_owner.hpp"
+
+namespace flexura::report_data {
+namespace {
+
+Json state_json(const PathState& state, const DrawnCoordinates& coordinates) {
+  Json bodies = Json::array();
+  for (const Pose& pose : state.bodies) {
+    bodies.push_back({rounded(pose.position.x), rounded(pose.position.y), rounded(pose.rotation)});
+  }
+  Json points = Json::array();
+  for (const Vec2 p : state.points) points.push_back(pair(p));
+  Json axes = Json::array();
+  for (const std::vector<Vec2>& axis : state.axes) axes.push_back(coordinates(axis));
+  Json json = {{"load_factor", rounded(state.load_factor)},
+               {"bodies", std::move(bodies)},
+               {"points", std::move(points)},
+               {"axes", std::move(axes)},
+               {"unstable", state.unstable_directions > 0}};
+  if (!state.reactions.empty()) {
+    Json& reactions = json["reactions"] = Json::array();
+    for (const Reaction& r : state.reactions) {
+      reactions.push_back({rounded(r.force.x), rounded(r.force.y), rounded(r.moment)});
+    }
+  }
+  return json;
+}
+
+Json members_json(const std::vector<std::vector<MemberStation>>& members) {
+  Json list = Json::array();
+  for (const std::vector<MemberStation>& stations : members) {
+    Json rows = Json::array();
+    for (const MemberStation& m : stations) {
+      rows.push_back({rounded(m.s), rounded(m.axial_force), rounded(m.shear_force),
+                      rounded(m.bending_moment), rounded(m.stress)});
+    }
+    list.push_back(std::move(rows));
+  }
+  return list;
+}
+
+Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordinates& coordinates) {
+  const ModelingPath& m = path.modelings[index];
+  Json states = Json::array();
+  for (const PathState& state : m.states) states.push_back(state_json(state, coordinates));
+  Json events = Json::array();
+  for (const PathEvent& event : m.events) {
+    Json json = {{"kind", event.kind}, {"load_factor", rounded(event.load_factor)}};
+    if (!event.state.bodies.empty()) json["state"] = state_json(event.state, coordinates);
+    events.push_back(std::move(json));
+  }
+  Json differences = Json::array();
+  if (index != path.reference) {
+    for (std::size_t p = 0; p < path.points.size() + path.bodies.size(); ++p) {
+      Json series = Json::array();
+      for (const double d : difference_series(path, m, p)) series.push_back(rounded(d));
+      differences.push_back(std::move(series));
+    }
+  }
+  return {{"label", m.label},
+          {"modeling", m.modeling},
+          {"converged", m.termination.converged()},
+          {"reason", m.termination.reason},
+          {"unknowns", m.unknowns},
+          {"steps", m.steps},
+          {"iterations", m.iterations},
+          {"seconds", rounded(m.seconds)},
+          {"error_estimate", optional_number(m.error_estimate)},
+          {"difference", optional_number(m.difference)},
+          {"events", std::move(events)},
+          {"states", std::move(states)},
+          {"differences", std::move(differences)},
+          {"members", members_json(m.members)}};
+}
+
+}  // namespace
+
+Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates) {
+  Json owners = Json::array();
+  for (std::size_t p = 0; p < path.points.size(); ++p) {
+    const std::optional<std::size_t> owner = owner_of_point(path, p);
+    owners.push_back(owner ? Json(*owner) : Json(nullptr));
+  }
+  Json modelings = Json::array();
+  for (std::size_t m = 0; m < path.modelings.size(); ++m) {
+    modelings.push_back(modeling_json(path, m, coordinates));
+  }
+  return {{"bodies", path.bodies},       {"points", path.points},
+          {"owners", std::move(owners)}, {"flexures", path.flexures},
+          {"reference", path.reference}, {"modelings", std::move(modelings)}};
+}
+
+}  // namespace flexura::report_data

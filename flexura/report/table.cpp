@@ -1,0 +1,147 @@
+#include "flexura/report/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "flexura/report/wrap.hpp"
+
+namespace flexura {
+namespace {
+
+constexpr std::size_t column_count = 8;
+constexpr std::size_t line_width = 96;
+using Row = std::array<std::string, column_count>;
+
+enum class Ink { plain, bold, faint, good, bad };
+
+std::string paint(std::string_view text, Ink ink, bool colour) {
+  static constexpr std::string_view escapes[] = {"", "\x1b[1m", "\x1b[2m", "\x1b[32m", "\x1b[31m"};
+  if (!colour || ink == Ink::plain) return std::string(text);
+  return fmt::format("{}{}\x1b[0m", escapes[static_cast<int>(ink)], text);
+}
+
+/// Three significant digits without an exponent where that stays short.
+std::string number(double value) {
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (size < 1e-4 || size >= 1e5) return fmt::format("{:.2e}", value);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(size)));
+  return fmt::format("{:.{}f}", value, std::max(0, decimals));
+}
+
+std::string duration(double seconds) {
+  if (seconds < 1e-3) return number(1e6 * seconds) + " us";
+  if (seconds < 1.0) return number(1e3 * seconds) + " ms";
+  return number(seconds) + " s";
+}
+
+std::string percent(const std::optional<double>& fraction) {
+  return fraction && std::isfinite(*fraction) ? number(100.0 * *fraction) + " %" : "-";
+}
+
+Row row_of(const ModelingPath& m, bool is_reference) {
+  return {m.label,
+          m.termination.converged() ? "converged" : "stopped",
+          std::to_string(m.unknowns),
+          std::to_string(m.steps),
+          std::to_string(m.iterations),
+          duration(m.seconds),
+          percent(m.error_estimate),
+          is_reference ? "reference" : percent(m.difference)};
+}
+
+/// Two columns of words to the left, numbers to the right.
+std::string align(const Row& row, const std::array<std::size_t, column_count>& widths,
+                  Ink status_ink, bool colour) {
+  std::string line = " ";
+  for (std::size_t c = 0; c < column_count; ++c) {
+    const std::string gap(widths[c] - display_width(row[c]), ' ');
+    const bool left = c < 2;
+    // Escapes take no room on the screen, so they are put around what is already measured.
+    const std::string text = c == 1 ? paint(row[c], status_ink, colour) : row[c];
+    line += ' ' + (left ? text + gap : gap + text) + (c + 1 < column_count ? " " : "");
+  }
+  return line + '\n';
+}
+
+/// Events on the way and why it stopped, below the row they belong to.
+std::string notes(const ModelingPath& m, bool colour) {
+  std::string text;
+  const auto add = [&](const std::string& note, Ink ink) {
+    for (const std::string& line : wrap_text(note, line_width - 6)) {
+      text += "      " + paint(line, ink, colour) + '\n';
+    }
+  };
+  for (const PathEvent& event : m.events) {
+    add(fmt::format("{} at load factor {:.4g}", event.kind, event.load_factor), Ink::faint);
+  }
+  if (!m.termination.converged()) {
+    const std::string place =
+        m.states.empty() ? "" : fmt::format("at load factor {:.4g}: ", m.states.back().load_factor);
+    const std::string& reason = m.termination.reason;
+    add("stopped " + place + (reason.empty() ? "no reason was given" : reason), Ink::bad);
+  }
+  return text;
+}
+
+std::string path_table(const StudyResult& study, const PathResult& path, bool colour) {
+  std::vector<Row> rows{{"modeling", "status", "unknowns", "steps", "iterations", "time",
+                         "error est.", "difference"}};
+  for (std::size_t m = 0; m < path.modelings.size(); ++m) {
+    rows.push_back(row_of(path.modelings[m], m == path.reference));
+  }
+  std::array<std::size_t, column_count> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < column_count; ++c) {
+      widths[c] = std::max(widths[c], display_width(row[c]));
+    }
+  }
+  std::string text = paint(study.name, Ink::bold, colour) + "  " + study.kind;
+  if (path.reference < path.modelings.size()) {
+    text += ", compared with " + path.modelings[path.reference].label;
+  }
+  text += '\n' + paint(align(rows.front(), widths, Ink::plain, false), Ink::faint, colour);
+  for (std::size_t m = 0; m < path.modelings.size(); ++m) {
+    const ModelingPath& modeling = path.modelings[m];
+    text +=
+        align(rows[m + 1], widths, modeling.termination.converged() ? Ink::good : Ink::bad, colour);
+    text += notes(modeling, colour);
+  }
+  return text;
+}
+
+std::string linear_line(const StudyResult& study, const LinearResult& linear, bool colour) {
+  std::string text =
+      fmt::format("{}  linear, {} compliance matrices: {}/ellipse.json\n",
+                  paint(study.name, Ink::bold, colour), linear.records.size(), study.name);
+  if (!study.termination.converged()) {
+    for (const std::string& line :
+         wrap_text("stopped: " + study.termination.reason, line_width - 2)) {
+      text += "  " + paint(line, Ink::bad, colour) + '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string make_comparison_table(const Result& result, bool colour) {
+  std::string text;
+  for (const StudyResult& study : result.studies) {
+    if (!text.empty()) text += '\n';
+    if (const auto* path = std::get_if<PathResult>(&study.content)) {
+      text += path_table(study, *path, colour);
+    } else {
+      text += linear_line(study, std::get<LinearResult>(study.content), colour);
+    }
+  }
+  return text;
+}
+
+}  // namespace flexura

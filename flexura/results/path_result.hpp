@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flexura/core/termination.hpp"
+#include "flexura/core/vec2.hpp"
+
+namespace flexura {
+
+/// A section of a flexure: where it is and what it carries. N positive in tension, M positive
+/// where it increases the curvature counter-clockwise, V along the section normal; `stress` is
+/// the largest absolute fibre stress.
+struct MemberStation {
+  double s = 0.0;  ///< arc length of the undeformed axis from the base end
+  Pose section;
+  double axial_force = 0.0;
+  double shear_force = 0.0;
+  double bending_moment = 0.0;
+  double stress = 0.0;
+};
+
+/// A load that holds a body where it was prescribed to be, at the body's centre.
+struct Reaction {
+  Vec2 force;
+  double moment = 0.0;
+};
+
+/// One equilibrium. The vectors run in the order of PathResult's names.
+struct PathState {
+  double load_factor = 0.0;
+  std::vector<Pose> bodies;
+  std::vector<Vec2> points;
+  std::vector<Pose> mids;              ///< section at mid-length of every flexure
+  std::vector<Reaction> reactions;     ///< of every body, study `inverse` only
+  std::vector<std::vector<Vec2>> axes; ///< deformed axis of every flexure, for drawing
+  double strain_energy = 0.0;
+  int unstable_directions = 0;  ///< negative eigenvalues of the tangent; 0 is stable
+};
+
+struct PathEvent {
+  std::string kind;  ///< "limit point", "bifurcation", "stability lost", "stability gained"
+  double load_factor = 0.0;
+  PathState state;
+};
+
+/// One modeling's path.
+struct ModelingPath {
+  std::string label;
+  std::string modeling;
+  Termination termination;
+  std::vector<PathState> states;  ///< states[0] is the undeformed mechanism
+  std::vector<std::vector<MemberStation>> members;  ///< per flexure, at the last state
+  std::vector<PathEvent> events;
+  int unknowns = 0;
+  int steps = 0;       ///< converged load steps, intermediate ones included
+  int iterations = 0;  ///< Newton iterations in all
+  double seconds = 0.0;
+  /// Largest distance of any named point from its converged place, relative to its largest
+  /// displacement; absent where the modeling has no discretization.
+  std::optional<double> error_estimate;
+  /// The same norm, against the study's reference modeling; absent for the reference itself.
+  std::optional<double> difference;
+};
+
+/// All modelings of one study of kind `path` or `inverse`.
+struct PathResult {
+  std::vector<std::string> bodies;    ///< moving bodies
+  std::vector<std::string> points;    ///< "body.point", of moving bodies
+  std::vector<std::string> flexures;
+  std::vector<ModelingPath> modelings;
+  std::size_t reference = 0;  ///< index into modelings
+};
+
+}  // namespace flexura

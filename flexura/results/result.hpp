@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "flexura/core/termination.hpp"
+#include "flexura/core/vec2.hpp"
+#include "flexura/results/ellipse.hpp"
+#include "flexura/results/path_result.hpp"
+
+namespace flexura {
+
+/// A flexure as drawn: its undeformed axis sampled evenly, and its depth in the plane of motion.
+struct DrawnFlexure {
+  std::string name;
+  std::string base;
+  std::string action;
+  bool pinned_base = false;
+  bool pinned_action = false;
+  std::vector<Vec2> axis;
+  double depth = 0.0;
+};
+
+/// A body as drawn: the flexure ends, points and centre it carries, undeformed.
+struct DrawnBody {
+  std::string name;
+  bool fixed = false;
+  Vec2 centre;
+  std::vector<Vec2> ends;    ///< flexure ends on it, in file order
+  std::vector<std::string> point_names;
+  std::vector<Vec2> points;
+};
+
+/// The mechanism before any load, to scale.
+struct Drawing {
+  std::vector<DrawnFlexure> flexures;
+  std::vector<DrawnBody> bodies;
+};
+
+/// A load as drawn: at full load factor.
+struct DrawnLoad {
+  std::string on;  ///< "body" or "body.point"
+  Vec2 force;
+  double moment = 0.0;
+  bool follower = false;
+};
+
+struct StudyResult {
+  std::string name;
+  std::string kind;  ///< "linear", "path", "inverse"
+  Termination termination;
+  std::vector<DrawnLoad> loads;
+  std::variant<LinearResult, PathResult> content;
+};
+
+/// Everything a run found out, in the file's declared units, rotations in radians.
+struct Result {
+  std::string title;
+  std::string model_file;
+  std::string version;
+  std::string length_unit;
+  std::string force_unit;
+  std::string time_unit;
+  Drawing drawing;
+  std::vector<StudyResult> studies;
+};
+
+}  // namespace flexura

@@ -1,0 +1,176 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <vector>
+
+#include "flexura/solvers/hermite_predictor.hpp"
+#include "flexura/solvers/newton.hpp"
+
+namespace flexura {
+
+/// Equilibrium equations under loads that all grow with one load factor. `load_direction` is
+/// dz/d(load factor) of the last linearization; `inner` a scalar product of changes of z,
+/// dimensionless.
+template <class P>
+concept LoadedProblem = NewtonProblem<P> &&
+    requires(P p, const std::vector<double>& z, std::vector<double>& direction) {
+  p.set_load_factor(1.0);
+  p.load_direction(direction);
+  { p.unstable_directions() } -> std::convertible_to<int>;
+  { p.strain_energy() } -> std::convertible_to<double>;
+  { p.load_displacement(z) } -> std::convertible_to<double>;
+  { p.load_rate(z) } -> std::convertible_to<double>;
+  { p.has_follower_loads() } -> std::convertible_to<bool>;
+  { p.inner(z, z) } -> std::convertible_to<double>;
+  { p.distance(z, z) } -> std::convertible_to<double>;
+};
+
+enum class ArcOutcome { passed, limit_point, lost };
+
+struct ArcPassage {
+  ArcOutcome outcome = ArcOutcome::lost;
+  double load_factor = 0.0;
+  std::vector<double> z;
+  int iterations = 0;
+};
+
+/// Pseudo-arc-length continuation from a state where load control finds no way on.
+template <LoadedProblem Problem>
+class ArcLength {
+ public:
+  ArcLength(Problem& problem, double tolerance) : problem_(&problem), tolerance_(tolerance) {}
+
+  /// Follows the path until the load factor turns back (the limit point is then located), or the
+  /// path leads on less steeply.
+  ArcPassage pass(const CurvePoint& start, double target);
+
+ private:
+  struct State {
+    double load_factor = 0.0;
+    std::vector<double> z;
+    std::vector<double> tangent_z;  // unit tangent (tangent_z, tangent_load)
+    double tangent_load = 0.0;
+  };
+
+  bool set_tangent(State& state, const State* before);
+  bool step(const State& from, double size, State& to);
+  bool locate(const State& before, double size, State& limit);
+
+  Problem* problem_;
+  double tolerance_;
+  int iterations_ = 0;
+};
+
+/// Precondition: the problem is linearized at the state. Keeps the sense of `before`.
+template <LoadedProblem Problem>
+bool ArcLength<Problem>::set_tangent(State& state, const State* before) {
+  problem_->load_direction(state.tangent_z);
+  const double size = std::sqrt(1.0 + problem_->inner(state.tangent_z, state.tangent_z));
+  if (!std::isfinite(size)) return false;
+  double sense = 1.0;
+  if (before && problem_->inner(before->tangent_z, state.tangent_z) + before->tangent_load < 0.0)
+    sense = -1.0;
+  state.tangent_load = sense / size;
+  for (double& t : state.tangent_z) t *= sense / size;
+  return true;
+}
+
+/// Corrects on the plane across the tangent at the given distance:
+/// dz = step + d(load factor) direction, and one scalar equation for d(load factor).
+template <LoadedProblem Problem>
+bool ArcLength<Problem>::step(const State& from, double size, State& to) {
+  to.z = from.z;
+  add_scaled(to.z, size, from.tangent_z);
+  to.load_factor = from.load_factor + size * from.tangent_load;
+  std::vector<double> correction, direction;
+  double before = INFINITY;
+  for (int k = 0; k < 20; ++k) {
+    problem_->set_load_factor(to.load_factor);
+    ++iterations_;
+    if (!problem_->linearize(to.z)) return false;
+    problem_->newton_step(correction);
+    problem_->load_direction(direction);
+    std::vector<double> gone = to.z;
+    add_scaled(gone, -1.0, from.z);
+    const double gap = problem_->inner(from.tangent_z, gone) +
+                       from.tangent_load * (to.load_factor - from.load_factor) - size;
+    const double change = -(gap + problem_->inner(from.tangent_z, correction)) /
+                          (problem_->inner(from.tangent_z, direction) + from.tangent_load);
+    add_scaled(correction, change, direction);
+    add_scaled(to.z, 1.0, correction);
+    to.load_factor += change;
+    const double moved = std::sqrt(problem_->inner(correction, correction));
+    if (!std::isfinite(moved) || moved > 2.0 * before) return false;
+    if (moved <= std::max(tolerance_, 1e-12) || (moved < 1e-8 && moved > 0.3 * before)) {
+      problem_->set_load_factor(to.load_factor);
+      ++iterations_;
+      return problem_->linearize(to.z) && set_tangent(to, &from);
+    }
+    before = moved;
+  }
+  return false;
+}
+
+/// The arc length past `before` at which the load factor stands still, by bisection with regula
+/// falsi on the tangent's load component.
+template <LoadedProblem Problem>
+bool ArcLength<Problem>::locate(const State& before, double size, State& limit) {
+  double low = 0.0, high = size;
+  double at_low = before.tangent_load, at_high = limit.tangent_load;
+  for (int k = 0; k < 60 && high - low > 1e-10 * size; ++k) {
+    double middle = low + (high - low) * at_low / (at_low - at_high);
+    if (k % 3 == 2) middle = 0.5 * (low + high);
+    State trial;
+    // at the point itself the tangent is singular: as near as that is near enough
+    if (!step(before, middle, trial)) return k > 3;
+    if (trial.tangent_load > 0.0) {
+      low = middle;
+      at_low = trial.tangent_load;
+    } else {
+      high = middle;
+      at_high = trial.tangent_load;
+    }
+    limit = std::move(trial);
+    if (std::abs(limit.tangent_load) < 1e-9) break;
+  }
+  return true;
+}
+
+template <LoadedProblem Problem>
+ArcPassage ArcLength<Problem>::pass(const CurvePoint& start, double target) {
+  ArcPassage passage;
+  State here{start.parameter, start.value, {}, 0.0};
+  problem_->set_load_factor(here.load_factor);
+  ++iterations_;
+  if (!problem_->linearize(here.z) || !set_tangent(here, nullptr)) return passage;
+  const double steepness = here.tangent_load;
+  double size = 0.01;
+  for (int k = 0; k < 400 && size > 1e-8; ++k) {
+    State next;
+    if (!step(here, size, next)) {
+      size *= 0.5;
+      continue;
+    }
+    if (next.tangent_load <= 0.0) {
+      State limit = next;
+      if (!locate(here, size, limit)) break;
+      passage = {ArcOutcome::limit_point, limit.load_factor, limit.z, iterations_};
+      return passage;
+    }
+    if (next.load_factor >= target) {  // the rest is load control's
+      if (here.load_factor > start.parameter)
+        return {ArcOutcome::passed, here.load_factor, here.z, iterations_};
+      size *= 0.5;
+      continue;
+    }
+    here = std::move(next);
+    if (here.tangent_load > 2.0 * steepness || k > 60)
+      return {ArcOutcome::passed, here.load_factor, here.z, iterations_};
+    size = std::min(1.5 * size, 0.05);
+  }
+  passage.iterations = iterations_;
+  return passage;
+}
+
+}  // namespace flexura

@@ -1,0 +1,264 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "flexura/solvers/arc_length.hpp"
+#include "flexura/solvers/hermite_predictor.hpp"
+#include "flexura/solvers/newton.hpp"
+
+namespace flexura {
+
+enum class SteppingOutcome { reached, limit_point, singular_start, lost };
+
+/// A change of the number of unstable directions, located on the path.
+struct StabilityChange {
+  double load_factor = 0.0;
+  int before = 0;
+  int after = 0;
+  std::vector<double> z;
+};
+
+struct SteppingSummary {
+  SteppingOutcome outcome = SteppingOutcome::reached;
+  double load_factor = 0.0;         ///< of the last converged state, or of the limit point
+  std::vector<double> limit_state;  ///< where the outcome is limit_point
+};
+
+struct SteppingOptions {
+  double tolerance = 1e-11;
+  double smallest_step = 1e-4;  ///< of the load factor, before the path is followed by arc length
+};
+
+/// Follows the equilibria z(load factor) from the unloaded state: predicts from the last states,
+/// corrects by Newton, and accepts a step only if the new state is where the path leads: the
+/// prediction was near, the step heads where the path does, the stability is the same (or its
+/// change is located), and the loads' work is the gain of energy. Otherwise the step is halved. A
+/// small residual alone does not prove that.
+template <LoadedProblem Problem>
+class LoadStepping {
+ public:
+  LoadStepping(Problem& problem, SteppingOptions options)
+      : problem_(&problem), options_(options), newton_({options.tolerance, 30, 6}) {}
+
+  /// The start of the path. False where the unloaded mechanism is singular.
+  bool start(const std::vector<double>& z);
+  /// On to a larger load factor.
+  SteppingSummary advance(double load_factor);
+
+  const std::vector<double>& state() const { return points_.back().value; }
+  int unstable_directions() const { return unstable_; }
+  const std::vector<StabilityChange>& changes() const { return changes_; }
+  int steps() const { return steps_; }
+  int iterations() const { return iterations_; }
+
+  /// Solves again at the last load factor, for a problem that has changed since.
+  bool correct();
+  /// Goes on with another problem whose unknowns `prolong` makes from this one's.
+  template <class Prolong>
+  void change_problem(Problem& problem, const Prolong& prolong);
+
+ private:
+  struct Energy {
+    double strain = 0.0;
+    double displacement = 0.0;  // work of the loads per load factor
+    double rate = 0.0;          // its derivative by the load factor
+  };
+
+  bool try_step(double to);
+  bool goes_on(const std::vector<double>& z) const;
+  bool work_is_smooth(double from, double to, const Energy& now) const;
+  void accept(double load_factor, std::vector<double> z, const Energy& energy);
+  void locate_change(double from, double to, int after);
+  Energy energy_at(const std::vector<double>& z, std::vector<double>& slope);
+  SteppingSummary follow_arc(double target);
+
+  Problem* problem_;
+  SteppingOptions options_;
+  Newton newton_;
+  std::deque<CurvePoint> points_;
+  Energy energy_;
+  int unstable_ = 0;
+  double next_step_ = 1.0;
+  std::vector<StabilityChange> changes_;
+  int steps_ = 0;
+  int iterations_ = 0;
+  std::vector<double> slope_;
+};
+
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::start(const std::vector<double>& z) {
+  problem_->set_load_factor(0.0);
+  ++iterations_;
+  if (!problem_->linearize(z)) return false;
+  unstable_ = problem_->unstable_directions();
+  energy_ = energy_at(z, slope_);
+  points_.push_back({0.0, z, slope_});
+  return true;
+}
+
+template <LoadedProblem Problem>
+auto LoadStepping<Problem>::energy_at(const std::vector<double>& z, std::vector<double>& slope)
+    -> Energy {
+  problem_->load_direction(slope);
+  return {problem_->strain_energy(), problem_->load_displacement(z), problem_->load_rate(slope)};
+}
+
+template <LoadedProblem Problem>
+SteppingSummary LoadStepping<Problem>::advance(double target) {
+  while (points_.back().parameter < target) {
+    const double from = points_.back().parameter;
+    double step = std::min(next_step_, target - from);
+    if (target - from - step < 0.2 * step) step = target - from;
+    if (try_step(from + step == target ? target : from + step)) {
+      next_step_ = std::max(next_step_, 2.0 * step);
+      continue;
+    }
+    next_step_ = 0.5 * step;
+    if (next_step_ < options_.smallest_step) {
+      const SteppingSummary followed = follow_arc(target);
+      if (followed.outcome != SteppingOutcome::reached) return followed;
+      next_step_ = 4.0 * options_.smallest_step;
+    }
+  }
+  return {SteppingOutcome::reached, points_.back().parameter, {}};
+}
+
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::try_step(double to) {
+  const double from = points_.back().parameter;
+  std::vector<double> z;
+  extrapolate_hermite(points_, to, z);
+  problem_->set_load_factor(to);
+  const NewtonSummary summary = newton_.solve(*problem_, z);
+  iterations_ += summary.iterations;
+  if (summary.outcome != NewtonOutcome::converged) return false;
+
+  const double moved = problem_->distance(z, points_.back().value);
+  const bool first = points_.size() == 1;
+  if (!first && summary.first_step > 0.02 && summary.first_step > 0.1 * moved) return false;
+  const int unstable = problem_->unstable_directions();
+  const Energy energy = energy_at(z, slope_);
+  if (!goes_on(z) || !work_is_smooth(from, to, energy)) return false;
+  if (unstable != unstable_) {
+    if (to - from > 0.01) return false;
+    locate_change(from, to, unstable);
+    unstable_ = unstable;
+  }
+  accept(to, std::move(z), energy);
+  return true;
+}
+
+/// A step along one path goes where the path heads at its start and at its end, to within 60
+/// degrees. Past a nearly symmetric bifurcation, a step onto the mirrored branch does not, though
+/// its energy may be right.
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::goes_on(const std::vector<double>& z) const {
+  const CurvePoint& last = points_.back();
+  std::vector<double> gone = z;
+  add_scaled(gone, -1.0, last.value);
+  const double length = problem_->inner(gone, gone);
+  if (length < 1e-12) return true;
+  const auto heads_there = [&](const std::vector<double>& slope) {
+    const double along = problem_->inner(gone, slope);
+    return along > 0.0 && along * along > 0.25 * length * problem_->inner(slope, slope);
+  };
+  return heads_there(last.slope) && heads_there(slope_);
+}
+
+/// Along one smooth path of a conservative system, d(strain energy) = load factor d(displacement of
+/// the loads), so the gain is [load factor * displacement] less the integral of the displacement,
+/// here of its cubic Hermite interpolant. A jump to another branch breaks this.
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::work_is_smooth(double from, double to, const Energy& now) const {
+  if (problem_->has_follower_loads()) return true;
+  const double h = to - from;
+  const double integral = 0.5 * h * (energy_.displacement + now.displacement) +
+                          h * h / 12.0 * (energy_.rate - now.rate);
+  const double work = to * now.displacement - from * energy_.displacement - integral;
+  const double gain = now.strain - energy_.strain;
+  const double size = std::max({std::abs(work), std::abs(gain), 1e-6 * std::abs(now.strain)});
+  return std::abs(work - gain) <= 0.1 * size;
+}
+
+template <LoadedProblem Problem>
+void LoadStepping<Problem>::accept(double load_factor, std::vector<double> z,
+                                   const Energy& energy) {
+  ++steps_;
+  energy_ = energy;
+  if (points_.size() == 3) points_.pop_front();
+  points_.push_back({load_factor, std::move(z), slope_});
+}
+
+/// Bisection on the load factor between two states of different stability.
+template <LoadedProblem Problem>
+void LoadStepping<Problem>::locate_change(double from, double to, int after) {
+  StabilityChange change{to, unstable_, after, {}};
+  double low = from;
+  double high = to;
+  while (high - low > 1e-9) {
+    const double middle = 0.5 * (low + high);
+    std::vector<double> z;
+    extrapolate_hermite(points_, middle, z);
+    problem_->set_load_factor(middle);
+    const NewtonSummary summary = newton_.solve(*problem_, z);
+    iterations_ += summary.iterations;
+    if (summary.outcome != NewtonOutcome::converged) break;
+    if (problem_->unstable_directions() == unstable_) {
+      low = middle;
+    } else {
+      high = middle;
+      change.z = z;
+    }
+  }
+  change.load_factor = high;
+  changes_.push_back(std::move(change));
+}
+
+/// Where load control fails: either the load factor turns back (a limit point) or the path is
+/// merely steep, and load control takes over again past it.
+template <LoadedProblem Problem>
+SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
+  ArcLength<Problem> arc(*problem_, options_.tolerance);
+  const ArcPassage passage = arc.pass(points_.back(), target);
+  iterations_ += passage.iterations;
+  const double here = points_.back().parameter;
+  if (passage.outcome == ArcOutcome::limit_point)
+    return {SteppingOutcome::limit_point, passage.load_factor, passage.z};
+  if (passage.outcome == ArcOutcome::lost) return {SteppingOutcome::lost, here, {}};
+  problem_->set_load_factor(passage.load_factor);
+  ++iterations_;
+  if (!problem_->linearize(passage.z)) return {SteppingOutcome::lost, here, {}};
+  unstable_ = problem_->unstable_directions();
+  const Energy energy = energy_at(passage.z, slope_);
+  accept(passage.load_factor, passage.z, energy);
+  return {SteppingOutcome::reached, passage.load_factor, {}};
+}
+
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::correct() {
+  CurvePoint& last = points_.back();
+  problem_->set_load_factor(last.parameter);
+  const NewtonSummary summary = newton_.solve(*problem_, last.value);
+  iterations_ += summary.iterations;
+  if (summary.outcome != NewtonOutcome::converged) return false;
+  unstable_ = problem_->unstable_directions();
+  energy_ = energy_at(last.value, last.slope);
+  return true;
+}
+
+template <LoadedProblem Problem>
+template <class Prolong>
+void LoadStepping<Problem>::change_problem(Problem& problem, const Prolong& prolong) {
+  problem_ = &problem;
+  for (CurvePoint& point : points_) {
+    point.value = prolong(point.value);
+    point.slope = prolong(point.slope);
+  }
+}
+
+}  // namespace flexura

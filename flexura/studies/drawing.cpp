@@ -1,0 +1,49 @@
+#include "flexura/studies/drawing.hpp"
+
+#include "flexura/assembly/two_port.hpp"
+
+namespace flexura {
+
+Drawing make_drawing(const Model& model) {
+  Drawing drawing;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body& body = model.bodies[b];
+    DrawnBody drawn;
+    drawn.name = body.name;
+    drawn.fixed = body.fixed;
+    drawn.centre = body_centre(model, b);
+    for (const Point& point : body.points) {
+      drawn.point_names.push_back(point.name);
+      drawn.points.push_back(point.position);
+    }
+    drawing.bodies.push_back(std::move(drawn));
+  }
+  for (const Flexure& flexure : model.flexures) {
+    const AxisCurve axis(flexure.axis);
+    DrawnFlexure drawn;
+    drawn.name = flexure.name;
+    drawn.base = model.bodies[flexure.base].name;
+    drawn.action = model.bodies[flexure.action].name;
+    drawn.pinned_base = flexure.pinned_base;
+    drawn.pinned_action = flexure.pinned_action;
+    drawn.depth = section_properties(model.sections[flexure.section].shape).depth;
+    for (int k = 0; k < station_count; ++k)
+      drawn.axis.push_back(axis.position(axis.length() * k / (station_count - 1)));
+    drawing.bodies[flexure.base].ends.push_back(drawn.axis.front());
+    drawing.bodies[flexure.action].ends.push_back(drawn.axis.back());
+    drawing.flexures.push_back(std::move(drawn));
+  }
+  return drawing;
+}
+
+std::vector<DrawnLoad> make_drawn_loads(const Model& model, const std::vector<Load>& loads) {
+  std::vector<DrawnLoad> drawn;
+  for (const Load& load : loads) {
+    const Body& body = model.bodies[load.body];
+    const std::string on = load.point ? body.name + "." + body.points[*load.point].name : body.name;
+    drawn.push_back({on, load.force, load.moment, load.follower});
+  }
+  return drawn;
+}
+
+}  // namespace flexura

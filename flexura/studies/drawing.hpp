@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "flexura/model/model.hpp"
+#include "flexura/results/result.hpp"
+
+namespace flexura {
+
+/// The undeformed mechanism, to scale.
+Drawing make_drawing(const Model& model);
+
+std::vector<DrawnLoad> make_drawn_loads(const Model& model, const std::vector<Load>& loads);
+
+}  // namespace flexura

@@ -1,0 +1,45 @@
+#include "flexura/studies/error_estimate.hpp"
+
+#include <cmath>
+
+#include "flexura/solvers/newton.hpp"
+
+namespace flexura {
+
+bool ErrorEstimate::solve(const System& system, const std::vector<double>& z, int& iterations) {
+  z_ = system.prolong(z, *finer_);
+  finer_->hold_as(system);
+  const std::vector<double> start = z_;
+  std::vector<double> distances;
+  double first = 0.0;
+  double before = INFINITY;
+  for (int k = 1; k <= 20; ++k) {
+    ++iterations;
+    if (!finer_->linearize(z_)) return false;
+    const double size = finer_->newton_step(step_);
+    if (!(size < 2.0 * before) || size > 1.0) return false;
+    add_scaled(z_, 1.0, step_);
+    distances.push_back(finer_->distance(z_, start));
+    if (k == 1) first = size;
+    if (k == enough_ && first <= 2.0 * calibrated_at_) return true;
+    // what is left is of the order of this step's square
+    const bool settled = k > 1 && size * size <= 0.02 * distances.back();
+    const bool rounding = size < 1e-13 || (size < 1e-9 && size > 0.3 * before);
+    if (settled || rounding) {
+      calibrate(distances, first);
+      return true;
+    }
+    before = size;
+  }
+  return false;
+}
+
+void ErrorEstimate::calibrate(const std::vector<double>& distances, double first_step) {
+  calibrated_at_ = first_step;
+  enough_ = static_cast<int>(distances.size());
+  while (enough_ > 1 && std::abs(distances[static_cast<std::size_t>(enough_) - 2] -
+                                 distances.back()) <= 0.05 * distances.back())
+    --enough_;
+}
+
+}  // namespace flexura

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "flexura/assembly/system.hpp"
+#include "flexura/model/model.hpp"
+#include "flexura/results/path_result.hpp"
+
+namespace flexura {
+
+/// The unknowns of a system as poses, points and drawn axes, in the order of the model's moving
+/// bodies, their points, and its flexures.
+PathState make_path_state(const Model& model, const System& system, const std::vector<double>& z,
+                          double load_factor);
+
+/// Sections, forces and stress along every flexure.
+std::vector<std::vector<MemberStation>> make_members(const Model& model, const System& system,
+                                                     const std::vector<double>& z);
+
+/// The names that go with path states.
+PathResult make_path_names(const Model& model);
+
+}  // namespace flexura

@@ -1,0 +1,105 @@
+#include "flexura/studies/path_study.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "flexura/studies/path_record.hpp"
+#include "flexura/studies/path_tracer.hpp"
+
+namespace flexura {
+namespace {
+
+/// Points that hardly move would turn rounding into a relative difference.
+constexpr double hardly_moves = 1e-6;  // of the largest displacement of any point
+
+std::vector<Vec2> points_of(const PathState& state) {
+  if (!state.points.empty()) return state.points;
+  std::vector<Vec2> centres;
+  for (const Pose& body : state.bodies) centres.push_back(body.position);
+  return centres;
+}
+
+/// Largest displacement of every point over the path, floored.
+std::vector<double> largest_displacements(const std::vector<PathState>& states) {
+  const std::vector<Vec2> start = points_of(states.front());
+  std::vector<double> largest(start.size(), 0.0);
+  for (const PathState& state : states) {
+    const std::vector<Vec2> now = points_of(state);
+    for (std::size_t p = 0; p < now.size(); ++p)
+      largest[p] = std::max(largest[p], norm(now[p] - start[p]));
+  }
+  double most = 0.0;
+  for (const double d : largest) most = std::max(most, d);
+  for (double& d : largest) d = std::max(d, hardly_moves * most);
+  return largest;
+}
+
+std::optional<double> relative_error(const TracedPath& traced,
+                                     const std::vector<PathState>& states) {
+  const std::vector<double> size = largest_displacements(states);
+  std::optional<double> worst;
+  for (const TracedState& state : traced.states)
+    for (std::size_t p = 0; p < state.errors.size(); ++p)
+      worst = std::max(worst.value_or(0.0), size[p] > 0.0 ? state.errors[p] / size[p] : 0.0);
+  return worst;
+}
+
+}  // namespace
+
+ModelingPath run_path(const Model& model, const PathStudy& study, const ModelingSettings& settings,
+                      const std::function<bool(double)>& keep_going) {
+  const auto start = std::chrono::steady_clock::now();
+  const TracedPath traced =
+      trace_path(model, study.loads, settings, {study.steps, true, keep_going});
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+
+  ModelingPath path;
+  path.label = settings.label;
+  path.modeling = modeling_name(settings);
+  path.termination = traced.termination;
+  path.steps = traced.steps;
+  path.iterations = traced.iterations;
+  path.seconds = took.count();
+  path.unknowns = static_cast<int>(traced.systems.back()->size());
+  for (const TracedState& s : traced.states) {
+    System& system = *traced.systems[s.system];
+    system.set_load_factor(s.load_factor);
+    path.states.push_back(make_path_state(model, system, s.z, s.load_factor));
+    path.states.back().unstable_directions = s.unstable_directions;
+    if (system.linearize(s.z)) path.states.back().strain_energy = system.strain_energy();
+  }
+  for (const TracedEvent& event : traced.events) {
+    path.events.push_back(
+        {event.kind, event.load_factor,
+         make_path_state(model, *traced.systems[event.system], event.z, event.load_factor)});
+    path.events.back().state.unstable_directions = event.unstable_directions;
+  }
+  if (!traced.states.empty()) {
+    const TracedState& last = traced.states.back();
+    path.members = make_members(model, *traced.systems[last.system], last.z);
+    path.error_estimate = relative_error(traced, path.states);
+  }
+  return path;
+}
+
+void compare_with_reference(PathResult& result) {
+  const ModelingPath& reference = result.modelings[result.reference];
+  if (reference.states.empty()) return;
+  const std::vector<double> size = largest_displacements(reference.states);
+  for (std::size_t m = 0; m < result.modelings.size(); ++m) {
+    ModelingPath& path = result.modelings[m];
+    if (m == result.reference || path.states.empty()) continue;
+    const std::size_t states = std::min(path.states.size(), reference.states.size());
+    double worst = 0.0;
+    for (std::size_t k = 0; k < states; ++k) {
+      const std::vector<Vec2> here = points_of(path.states[k]);
+      const std::vector<Vec2> there = points_of(reference.states[k]);
+      for (std::size_t p = 0; p < here.size(); ++p)
+        if (size[p] > 0.0) worst = std::max(worst, norm(here[p] - there[p]) / size[p]);
+    }
+    path.difference = worst;
+  }
+}
+
+}  // namespace flexura

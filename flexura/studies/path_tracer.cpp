@@ -1,0 +1,225 @@
+#include "flexura/studies/path_tracer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "flexura/modelings/make_system.hpp"
+#include "flexura/studies/error_estimate.hpp"
+
+namespace flexura {
+namespace {
+
+constexpr int most_refinements = 6;
+constexpr int most_ratio_updates = 40;
+
+double algebraic_tolerance(double tolerance) { return std::clamp(1e-2 * tolerance, 1e-13, 1e-9); }
+
+bool chooses_modes(const ModelingSettings& settings) {
+  const auto* exact = std::get_if<ExactSettings>(&settings.kind);
+  return exact && !exact->modes;
+}
+
+using Stepping = LoadStepping<System>;
+
+class PathTracer {
+ public:
+  PathTracer(const Model& model, const std::vector<Load>& loads, const ModelingSettings& settings,
+             const TraceOptions& options)
+      : model_(model),
+        loads_(loads),
+        settings_(settings),
+        options_(options),
+        points_(tracked_points(model)) {
+    path_.systems.push_back(std::make_unique<System>(make_layout(model, loads, settings)));
+    if (options_.estimate_errors) estimate_ = std::make_unique<ErrorEstimate>(system());
+  }
+
+  TracedPath run();
+
+ private:
+  System& system() { return *path_.systems.back(); }
+  bool estimates() const { return estimate_ && estimate_->available(); }
+  bool settle(Stepping& stepping);
+  bool settle_load_ratios(Stepping& stepping);
+  void record(const Stepping& stepping, double load_factor, std::vector<double> errors);
+  std::vector<double> measure_errors(const std::vector<double>& z) const;
+  bool is_accurate(const std::vector<double>& errors, const std::vector<double>& z);
+  void note_changes(const Stepping& stepping);
+  void stop(const SteppingSummary& summary);
+  Termination singular_start();
+
+  const Model& model_;
+  const std::vector<Load>& loads_;
+  const ModelingSettings& settings_;
+  const TraceOptions& options_;
+  std::vector<TrackedPoint> points_;
+  std::unique_ptr<ErrorEstimate> estimate_;
+  std::vector<std::optional<double>> load_ratios_;
+  std::vector<double> errors_;
+  double largest_displacement_ = 0.0;
+  std::size_t changes_noted_ = 0;
+  TracedPath path_;
+};
+
+TracedPath PathTracer::run() {
+  const int steps = options_.steps;
+  Stepping stepping(system(), {algebraic_tolerance(settings_.tolerance), 1e-4});
+  if (!stepping.start(system().initial_state())) {
+    path_.termination = singular_start();
+    return std::move(path_);
+  }
+  const bool estimated = estimates();
+  record(stepping, 0.0, std::vector<double>(estimated ? points_.size() : 0, 0.0));
+  path_.termination.status = Status::converged;
+  for (int step = 1; step <= steps; ++step) {
+    const double load_factor = step == steps ? 1.0 : static_cast<double>(step) / steps;
+    const SteppingSummary summary = stepping.advance(load_factor);
+    note_changes(stepping);
+    if (summary.outcome != SteppingOutcome::reached) {
+      stop(summary);
+      break;
+    }
+    if (!settle(stepping)) {
+      path_.termination = {Status::stopped,
+                           fmt::format("the discretization could not be refined at load factor "
+                                       "{:.6g}; give more modes or elements",
+                                       load_factor)};
+      break;
+    }
+    record(stepping, load_factor, errors_);
+    if (options_.keep_going && !options_.keep_going(load_factor)) {
+      path_.termination = {Status::stopped,
+                           fmt::format("cancelled at load factor {:.6g}", load_factor)};
+      break;
+    }
+  }
+  path_.steps = stepping.steps();
+  path_.iterations += stepping.iterations();
+  return std::move(path_);
+}
+
+/// Estimates the error of the new state, and refines where the modeling chooses its own number of
+/// modes and they do not suffice.
+bool PathTracer::settle(Stepping& stepping) {
+  errors_.clear();
+  if (follows_load_ratio(settings_) && !settle_load_ratios(stepping)) return false;
+  for (int refinement = 0; estimates(); ++refinement) {
+    const std::vector<double>& z = stepping.state();
+    if (!estimate_->solve(system(), z, path_.iterations)) {
+      if (!chooses_modes(settings_)) return true;  // no estimate of this state
+    } else {
+      errors_ = measure_errors(z);
+      if (is_accurate(errors_, z) || !chooses_modes(settings_)) return true;
+    }
+    if (refinement == most_refinements) return false;
+    const System& coarse = system();
+    path_.systems.push_back(estimate_->release());
+    stepping.change_problem(system(), [&coarse, this](const std::vector<double>& v) {
+      return coarse.prolong(v, system());
+    });
+    if (!stepping.correct()) return false;
+    estimate_ = std::make_unique<ErrorEstimate>(system());
+  }
+  return true;
+}
+
+/// Howell's parameters depend on the load each flexure carries: solves again until they agree.
+bool PathTracer::settle_load_ratios(Stepping& stepping) {
+  for (int k = 0; k < most_ratio_updates; ++k) {
+    auto ratios = find_load_ratios(model_, system(), stepping.state());
+    bool same = ratios.size() == load_ratios_.size();
+    for (std::size_t i = 0; same && i < ratios.size(); ++i)
+      same = ratios[i].has_value() == load_ratios_[i].has_value() &&
+             std::abs(ratios[i].value_or(0.0) - load_ratios_[i].value_or(0.0)) < 1e-9;
+    if (same) return true;
+    load_ratios_ = std::move(ratios);
+    path_.systems.push_back(
+        std::make_unique<System>(make_layout(model_, loads_, settings_, load_ratios_)));
+    stepping.change_problem(system(), [](const std::vector<double>& v) { return v; });
+    if (!stepping.correct()) return false;
+  }
+  return false;
+}
+
+std::vector<double> PathTracer::measure_errors(const std::vector<double>& z) const {
+  const System& coarse = *path_.systems.back();
+  std::vector<double> errors;
+  double ratio = 1.0;
+  for (const auto& member : coarse.layout().members)
+    ratio = std::max(ratio, member.port->error_ratio());
+  for (const TrackedPoint& point : points_)
+    errors.push_back(ratio * norm(estimate_->finer().moved_point(point.body, point.drawn,
+                                                                 estimate_->finer_state()) -
+                                  coarse.moved_point(point.body, point.drawn, z)));
+  return errors;
+}
+
+bool PathTracer::is_accurate(const std::vector<double>& errors, const std::vector<double>& z) {
+  for (const TrackedPoint& point : points_)
+    largest_displacement_ =
+        std::max(largest_displacement_,
+                 norm(system().moved_point(point.body, point.drawn, z) - point.drawn));
+  const double largest = *std::max_element(errors.begin(), errors.end());
+  return largest <= 0.3 * settings_.tolerance * largest_displacement_;
+}
+
+void PathTracer::record(const Stepping& stepping, double load_factor, std::vector<double> errors) {
+  path_.states.push_back({load_factor, path_.systems.size() - 1, stepping.state(),
+                          stepping.unstable_directions(), std::move(errors)});
+}
+
+void PathTracer::note_changes(const Stepping& stepping) {
+  for (; changes_noted_ < stepping.changes().size(); ++changes_noted_) {
+    const StabilityChange& change = stepping.changes()[changes_noted_];
+    path_.events.push_back({change.after > change.before ? "stability lost" : "stability gained",
+                            change.load_factor, path_.systems.size() - 1,
+                            change.z.empty() ? stepping.state() : change.z, change.after});
+  }
+}
+
+void PathTracer::stop(const SteppingSummary& summary) {
+  path_.termination.status = Status::stopped;
+  if (summary.outcome == SteppingOutcome::limit_point) {
+    path_.events.push_back(
+        {"limit point", summary.load_factor, path_.systems.size() - 1, summary.limit_state, 1});
+    path_.termination.reason = fmt::format(
+        "limit point at load factor {0:.6g}: along this path the mechanism carries no more of its "
+        "loads, and snaps away. Scale the loads by {0:.4g} or less",
+        summary.load_factor);
+    return;
+  }
+  path_.termination.reason = fmt::format(
+      "no way on past load factor {:.6g}: Newton's method fails there at every step size, and the "
+      "path could not be followed by arc length either. Smaller loads, more steps, or another "
+      "modeling will show where the path leads",
+      summary.load_factor);
+}
+
+Termination PathTracer::singular_start() {
+  const std::string& body = model_.bodies[system().softest_body()].name;
+  return {Status::stopped,
+          fmt::format("the unloaded mechanism is singular: body '{}' can move without bending any "
+                      "flexure. Hold it by another flexure, or pin fewer ends",
+                      body)};
+}
+
+}  // namespace
+
+std::vector<TrackedPoint> tracked_points(const Model& model) {
+  std::vector<TrackedPoint> points;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (!model.bodies[b].fixed)
+      for (const Point& point : model.bodies[b].points) points.push_back({b, point.position});
+  if (!points.empty()) return points;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (!model.bodies[b].fixed) points.push_back({b, body_centre(model, b)});
+  return points;
+}
+
+TracedPath trace_path(const Model& model, const std::vector<Load>& loads,
+                      const ModelingSettings& settings, const TraceOptions& options) {
+  return PathTracer(model, loads, settings, options).run();
+}
+
+}  // namespace flexura

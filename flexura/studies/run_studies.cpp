@@ -1,0 +1,189 @@
+#include "flexura/studies/run_studies.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "flexura/studies/drawing.hpp"
+#include "flexura/studies/inverse_study.hpp"
+#include "flexura/studies/linear_study.hpp"
+#include "flexura/studies/path_record.hpp"
+#include "flexura/studies/path_study.hpp"
+
+namespace flexura {
+namespace {
+
+bool is_wanted(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Reports one at a time; false once the caller has asked to stop.
+class Progress {
+ public:
+  explicit Progress(const ProgressCallback& callback) : callback_(callback) {}
+
+  bool report(const std::string& study, const std::string& label, double fraction) {
+    const std::scoped_lock lock(mutex_);
+    if (going_ && callback_) going_ = callback_({study, label, fraction});
+    return going_;
+  }
+
+ private:
+  const ProgressCallback& callback_;
+  std::mutex mutex_;
+  bool going_ = true;
+};
+
+/// The wanted modelings of a study, in order, and the place of its reference among them: the
+/// study's own, or the last wanted one where that is left out.
+struct WantedModelings {
+  std::vector<ModelingSettings> settings;
+  std::size_t reference = 0;
+};
+
+WantedModelings wanted_modelings(const std::vector<ModelingSettings>& all, std::size_t reference,
+                                 const RunOptions& options) {
+  WantedModelings wanted;
+  bool found = false;
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    if (!is_wanted(options.modelings, all[m].label) &&
+        !is_wanted(options.modelings, modeling_name(all[m])))
+      continue;
+    if (m == reference) {
+      wanted.reference = wanted.settings.size();
+      found = true;
+    }
+    wanted.settings.push_back(all[m]);
+  }
+  if (!found && !wanted.settings.empty()) wanted.reference = wanted.settings.size() - 1;
+  return wanted;
+}
+
+/// A study under way: the tasks write into places of its result that are theirs alone.
+class Run {
+ public:
+  Run(const Model& model, const RunOptions& options, Progress& progress)
+      : model_(model), options_(options), progress_(progress) {}
+
+  void add(const Study& study) {
+    StudyResult result;
+    result.name = study.name;
+    std::visit([&](const auto& kind) { prepare(kind, result); }, study.kind);
+    results_.push_back(std::make_unique<StudyResult>(std::move(result)));
+    std::visit([&](const auto& kind) { add_tasks(kind, *results_.back()); }, study.kind);
+  }
+
+  std::vector<StudyResult> finish();
+
+ private:
+  using KeepGoing = std::function<bool(double)>;
+
+  void prepare(const LinearStudy& study, StudyResult& result) {
+    result.kind = "linear";
+    result.loads = make_drawn_loads(model_, study.loads);
+  }
+  void prepare(const PathStudy& study, StudyResult& result) {
+    result.kind = "path";
+    result.loads = make_drawn_loads(model_, study.loads);
+    result.content = make_path_names(model_);
+  }
+  void prepare(const InverseStudy&, StudyResult& result) {
+    result.kind = "inverse";
+    result.content = make_path_names(model_);
+  }
+
+  void add_tasks(const LinearStudy& study, StudyResult& result) {
+    tasks_.push_back([this, &study, &result] {
+      result.content = run_linear(model_, study, result.termination);
+      progress_.report(result.name, "linear", 1.0);
+    });
+  }
+  void add_tasks(const PathStudy& study, StudyResult& result) {
+    add_modelings(study.modelings, study.reference, result,
+                  [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
+                    return run_path(model_, study, settings, keep_going);
+                  });
+  }
+  void add_tasks(const InverseStudy& study, StudyResult& result) {
+    add_modelings(study.modelings, study.reference, result,
+                  [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
+                    return run_inverse(model_, study, settings, keep_going);
+                  });
+  }
+
+  template <class RunOne>
+  void add_modelings(const std::vector<ModelingSettings>& all, std::size_t reference,
+                     StudyResult& result, RunOne run_one) {
+    WantedModelings wanted = wanted_modelings(all, reference, options_);
+    auto& path = std::get<PathResult>(result.content);
+    path.modelings.resize(wanted.settings.size());
+    path.reference = wanted.reference;
+    for (std::size_t m = 0; m < wanted.settings.size(); ++m)
+      tasks_.push_back([this, &result, &path, m, run_one, settings = wanted.settings[m]] {
+        path.modelings[m] = run_one(settings, [&](double fraction) {
+          return progress_.report(result.name, settings.label, fraction);
+        });
+      });
+  }
+
+  const Model& model_;
+  const RunOptions& options_;
+  Progress& progress_;
+  std::vector<std::unique_ptr<StudyResult>> results_;
+  std::vector<std::function<void()>> tasks_;
+};
+
+/// A study stopped where one of its modelings did.
+Termination summarize(const PathResult& path) {
+  Termination summary{Status::converged, {}};
+  for (const ModelingPath& modeling : path.modelings) {
+    if (modeling.termination.converged()) continue;
+    summary.status = Status::stopped;
+    if (!summary.reason.empty()) summary.reason += "; ";
+    summary.reason += modeling.label + ": " + modeling.termination.reason;
+  }
+  return summary;
+}
+
+std::vector<StudyResult> Run::finish() {
+  const int threads = options_.threads > 0 ? options_.threads
+                                           : static_cast<int>(std::thread::hardware_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(std::max(1, threads)));
+  tbb::parallel_for(std::size_t{0}, tasks_.size(), [this](std::size_t k) { tasks_[k](); });
+  std::vector<StudyResult> results;
+  for (auto& result : results_) {
+    if (auto* path = std::get_if<PathResult>(&result->content)) {
+      if (!path->modelings.empty())
+        result->kind == "inverse" ? compare_reactions(*path) : compare_with_reference(*path);
+      result->termination = summarize(*path);
+    }
+    results.push_back(std::move(*result));
+  }
+  return results;
+}
+
+}  // namespace
+
+Result run_studies(const Model& model, const RunOptions& options) {
+  Result result;
+  result.title = model.title;
+  result.version = FLEXURA_VERSION;
+  result.length_unit = model.units.length;
+  result.force_unit = model.units.force;
+  result.time_unit = model.units.time;
+  result.drawing = make_drawing(model);
+  Progress progress(options.progress);
+  Run run(model, options, progress);
+  for (const Study& study : model.studies)
+    if (is_wanted(options.studies, study.name)) run.add(study);
+  result.studies = run.finish();
+  return result;
+}
+
+}  // namespace flexura

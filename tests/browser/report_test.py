@@ -1,0 +1,275 @@
+#!/usr/bin/env python3
+"""Opens a report in headless Chromium and uses it as a reader would.
+
+report_test.py REPORT.html [--screenshots FOLDER]
+
+Exit status 77 where chromium or chromedriver is not installed, which ctest counts as skipped.
+"""
+
+import argparse
+import pathlib
+import shutil
+import sys
+import time
+import unittest
+
+from webdriver import Browser
+
+SKIPPED = 77
+REPORT = None
+
+SEEK = """
+  const slider = document.getElementById('load-slider');
+  slider.value = arguments[0] * slider.max;
+  slider.dispatchEvent(new Event('input'));
+"""
+FLEXURE_PATHS = """
+  return [...document.querySelectorAll('.flexures path')].map((path) => {
+    const box = path.getBBox();
+    return { modeling: path.dataset.modeling, d: path.getAttribute('d'),
+             size: Math.max(box.width, box.height) };
+  });
+"""
+STUDIES = "return [...document.querySelectorAll('#tabs button')].map((tab) => tab.dataset.study);"
+
+# Texts that stick out of the page or of what clips them, and texts that lie on one another.
+UNTIDY = r"""
+  const visible = (e) => e.getClientRects().length > 0 && !e.closest('.chart-tip, .table-frame');
+  const leaves = [...document.querySelectorAll('body *')].filter((e) => visible(e)
+    && !['SCRIPT', 'STYLE', 'OPTION', 'OPTGROUP', 'SELECT', 'TITLE'].includes(e.tagName)
+    && [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim()));
+  const found = [];
+  const name = (e) => `${e.tagName} "${e.textContent.trim().slice(0, 40)}"`;
+  const boxes = leaves.map((e) => {
+    const range = document.createRange();
+    range.selectNodeContents(e);
+    return { e, box: range.getBoundingClientRect() };
+  });
+  const drawn = (e) => e.closest('.view-svg') !== null;
+  for (const { e, box } of boxes) {
+    const svg = e.closest('svg');
+    const frame = svg ? svg.getBoundingClientRect()
+      : { left: 0, right: document.documentElement.clientWidth };
+    if (box.left < frame.left - 1 || box.right > frame.right + 1) {
+      found.push(`${name(e)} sticks out`);
+    }
+    if (svg && !drawn(e) && (box.top < frame.top - 2 || box.bottom > frame.bottom + 2)) {
+      found.push(`${name(e)} is cut off`);
+    }
+  }
+  // Names in the drawing lie where the mechanism is; all other texts keep clear of each other.
+  const placed = boxes.filter(({ e }) => !drawn(e));
+  for (let i = 0; i < placed.length; ++i) {
+    for (let j = i + 1; j < placed.length; ++j) {
+      const [a, b] = [placed[i], placed[j]];
+      if (a.e.contains(b.e) || b.e.contains(a.e)) continue;
+      const w = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+      const h = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+      if (w > 1.5 && h > 3) found.push(`${name(a.e)} lies on ${name(b.e)}`);
+    }
+  }
+  if (document.documentElement.scrollWidth > document.documentElement.clientWidth) {
+    found.push('the page scrolls sideways');
+  }
+  return found;
+"""
+
+
+class ReportTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(1280, 900)
+        cls.browser.__enter__()
+        cls.addClassCleanup(cls.browser.__exit__, None, None, None)
+
+    def setUp(self):
+        self.browser.open(REPORT.as_uri())
+        time.sleep(0.2)
+        self.studies = self.browser.script(STUDIES)
+
+    def tearDown(self):
+        entries = [e for e in self.browser.log() if e["level"] in ("SEVERE", "WARNING")]
+        self.assertEqual([], entries, "the console must stay silent")
+        requests = self.browser.script(
+            "return performance.getEntriesByType('resource').map((e) => e.name)")
+        self.assertEqual([], requests, "the page must ask the network for nothing")
+
+    def open_study(self, name):
+        self.browser.script(
+            "[...document.querySelectorAll('#tabs button')]"
+            ".find((tab) => tab.dataset.study === arguments[0]).click()", name)
+        time.sleep(0.15)
+
+    def kind(self):
+        if self.browser.script("return document.getElementById('load-slider') !== null"):
+            return "path"
+        return "linear"
+
+    def path_study(self):
+        for study in self.studies:
+            self.open_study(study)
+            if self.kind() == "path":
+                return study
+        self.skipTest("no study of kind path")
+
+    def seek(self, share):
+        self.browser.script(SEEK, share)
+        time.sleep(0.1)
+
+    def test_every_tab_opens_and_draws(self):
+        self.assertGreater(len(self.studies), 0)
+        for study in self.studies:
+            with self.subTest(study=study):
+                self.open_study(study)
+                selected = self.browser.script(
+                    "return document.querySelector('[aria-selected=true]').dataset.study")
+                self.assertEqual(study, selected)
+                drawn = ".flexures path" if self.kind() == "path" else ".still-flexures path"
+                sizes = self.browser.script(
+                    "return [...document.querySelectorAll(arguments[0])].map((p) => {"
+                    "const b = p.getBBox(); return Math.max(b.width, b.height); })", drawn)
+                self.assertGreater(len(sizes), 0)
+                self.assertGreater(min(sizes), 1.0)
+                self.assertGreater(self.browser.script(
+                    "return document.querySelectorAll('tbody td').length"), 0)
+
+    def test_address_opens_its_study(self):
+        last = self.studies[-1]
+        self.browser.script("window.location.hash = '#' + encodeURIComponent(arguments[0])", last)
+        time.sleep(0.2)
+        self.assertEqual(last, self.browser.script(
+            "return document.querySelector('[aria-selected=true]').dataset.study"))
+
+    def test_slider_moves_the_mechanism(self):
+        self.path_study()
+        shapes = []
+        for share in (0.0, 0.37, 1.0):
+            self.seek(share)
+            shapes.append([path["d"] for path in self.browser.script(FLEXURE_PATHS)])
+        self.assertNotEqual(shapes[0], shapes[1])
+        self.assertNotEqual(shapes[1], shapes[2])
+        for shape in shapes:
+            self.assertFalse(any("NaN" in d or not d for d in shape))
+
+    def test_play_moves_the_slider_and_pause_stops_it(self):
+        self.path_study()
+        self.seek(0.1)
+        value = "return Number(document.getElementById('load-slider').value)"
+        before = self.browser.script(value)
+        self.browser.script("document.getElementById('play').click()")
+        time.sleep(0.5)
+        self.browser.script("document.getElementById('play').click()")
+        paused = self.browser.script(value)
+        self.assertGreater(paused, before)
+        time.sleep(0.3)
+        self.assertEqual(paused, self.browser.script(value))
+
+    def test_toggle_hides_a_modeling_everywhere(self):
+        self.path_study()
+        toggles = self.browser.script("return [...document.querySelectorAll('.legend input')]"
+                                      ".map((box) => box.dataset.toggle)")
+        click = ("[...document.querySelectorAll('.legend input')]"
+                 ".find((box) => box.dataset.toggle === arguments[0]).click()")
+        shown = "return [...new Set([...document.querySelectorAll('.flexures path')]" \
+                ".map((path) => path.dataset.modeling))]"
+        lines = "return document.querySelectorAll('.chart-line').length"
+        labels = self.browser.script(shown)  # a modeling that never began is not drawn
+        self.assertLessEqual(set(labels), set(toggles))
+        before = self.browser.script(lines)
+        self.browser.script(click, labels[0])
+        self.assertEqual(set(labels[1:]), set(self.browser.script(shown)))
+        self.assertLess(self.browser.script(lines), before)
+        for label in labels[1:]:
+            self.browser.script(click, label)
+        self.assertEqual([], self.browser.script(shown))
+
+    def test_chart_shows_values_under_the_pointer(self):
+        self.path_study()
+        tip = self.browser.script("""
+          const frame = document.querySelector('.chart-frame');
+          const box = frame.getBoundingClientRect();
+          frame.dispatchEvent(new PointerEvent('pointermove',
+            { clientX: box.left + box.width / 2, clientY: box.top + 50, bubbles: true }));
+          const tip = frame.querySelector('.chart-tip');
+          return tip.hidden ? '' : tip.textContent;
+        """)
+        self.assertRegex(tip, r"[a-z ]+\d")
+
+    def test_choosing_a_point_changes_plots_and_table(self):
+        self.path_study()
+        state = "return document.querySelector('.chart-line').getAttribute('d')" \
+                " + document.querySelector('#comparison').textContent"
+        before = self.browser.script(state)
+        self.browser.script("const s = document.getElementById('subject');"
+                            "s.selectedIndex = s.options.length - 2;"
+                            "s.dispatchEvent(new Event('change'))")
+        self.assertNotEqual(before, self.browser.script(state))
+
+    def test_choosing_a_record_shows_its_ellipse(self):
+        for study in self.studies:
+            self.open_study(study)
+            if self.kind() == "linear":
+                break
+        else:
+            self.skipTest("no study of kind linear")
+        chosen = "return document.querySelector('.ellipse.is-chosen').getAttribute('d')"
+        before = self.browser.script(chosen)
+        self.browser.script("document.querySelector('.row-button').click()")
+        self.assertNotEqual(before, self.browser.script(chosen))
+
+    def test_zoom_buttons_scale_the_drawing(self):
+        size = "const b = document.querySelector('.ghost-flexures path, .still-flexures path')" \
+               ".getBBox(); return Math.max(b.width, b.height)"
+        before = self.browser.script(size)
+        self.browser.script("document.querySelector('.view-buttons button').click()")
+        time.sleep(0.4)
+        self.assertGreater(self.browser.script(size), 1.2 * before)
+
+    def test_texts_are_tidy_at_common_sizes(self):
+        for width in (1100, 1280, 1920, 390):
+            self.browser.resize(width, 900)
+            for study in self.studies:
+                with self.subTest(width=width, study=study):
+                    self.open_study(study)
+                    self.assertEqual([], self.browser.script(UNTIDY))
+        self.browser.resize(1280, 900)
+
+    def test_user_text_stays_text(self):
+        self.assertEqual(0, self.browser.script(
+            "return document.querySelectorAll('h1 *, #tabs script').length"))
+
+
+def take_screenshots(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for dark in (False, True):
+        with Browser(1280, 900, dark) as browser:
+            browser.open(REPORT.as_uri())
+            for number, study in enumerate(browser.script(STUDIES)):
+                browser.script("document.querySelectorAll('#tabs button')[arguments[0]].click()",
+                               number)
+                time.sleep(0.3)
+                theme = "dark" if dark else "light"
+                plain = "".join(c if c.isalnum() else "_" for c in study)
+                browser.screenshot(folder / f"{number}_{plain}_{theme}.png")
+
+
+def main():
+    global REPORT
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("report", type=pathlib.Path)
+    parser.add_argument("--screenshots", type=pathlib.Path)
+    options = parser.parse_args()
+    missing = [tool for tool in ("chromium", "chromedriver") if shutil.which(tool) is None]
+    if missing:
+        print(f"skipped: {' and '.join(missing)} not installed "
+              "(Debian packages chromium, chromium-driver)")
+        return SKIPPED
+    REPORT = options.report.resolve(strict=True)
+    if options.screenshots:
+        take_screenshots(options.screenshots)
+    outcome = unittest.main(module=__name__, argv=[sys.argv[0]], exit=False).result
+    return 0 if outcome.wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

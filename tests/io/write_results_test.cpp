@@ -1,0 +1,132 @@
+#include "flexura/io/write_results.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "tests/report/sample_result.hpp"
+
+namespace flexura {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of the test's own, gone afterwards.
+class WriteResults : public ::testing::Test {
+ protected:
+  WriteResults() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    top_ = fs::temp_directory_path() /
+           ("flexura_" + std::string(info->name()) + std::to_string(::getpid()));
+    fs::remove_all(top_);
+    fs::create_directories(top_);
+  }
+  ~WriteResults() override { fs::remove_all(top_); }
+
+  /// Everything below the test's folder, as relative names.
+  std::set<std::string> content() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(top_)) {
+      if (!entry.is_directory()) names.insert(fs::relative(entry.path(), top_).string());
+    }
+    return names;
+  }
+  static std::string read(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  fs::path top_;
+  const Result result_ = sample::make_sample_result();
+};
+
+TEST_F(WriteResults, WritesTheFilesOfTheContract) {
+  ASSERT_EQ(write_results(result_, "<html>", top_ / "new" / "chain.results").error, "");
+  const std::set<std::string> names = content();
+  const std::string folder = "new/chain.results/";
+  for (const char* name : {"summary.json", "report.html", "push/linear.csv", "push/exact.csv",
+                           "push/exact.members.csv", "lift & turn/scmbm.csv", "hold/prbm.csv",
+                           "ellipses/ellipse.json"}) {
+    EXPECT_TRUE(names.contains(folder + name)) << name;
+  }
+  EXPECT_EQ(names.size(), 2U + 10U + 10U + 8U + 1U);
+  EXPECT_EQ(read(top_ / folder / "report.html"), "<html>");
+}
+
+TEST_F(WriteResults, ReplacesOldResultsAndKeepsOtherFiles) {
+  std::ofstream(top_ / "report.html") << "old";
+  std::ofstream(top_ / "notes.txt") << "mine";
+  ASSERT_TRUE(write_results(result_, "new", top_).ok());
+  EXPECT_EQ(read(top_ / "report.html"), "new");
+  EXPECT_EQ(read(top_ / "notes.txt"), "mine");
+}
+
+TEST_F(WriteResults, SaysWhereItCannotWrite) {
+  std::ofstream(top_ / "file") << "in the way";
+  const fs::path folder = top_ / "file" / "results";
+  const WriteOutcome outcome = write_results(result_, "", folder);
+  EXPECT_EQ(outcome.error.find("Cannot write '" + (top_ / "file").string()), 0U) << outcome.error;
+  EXPECT_EQ(content(), std::set<std::string>{"file"});
+}
+
+TEST_F(WriteResults, LeavesNothingHalfWrittenWhenTheDiskIsFull) {
+  std::ofstream(top_ / "report.html") << "old";
+  // A limit on the size of files stands for a full disk: small ones pass, a large one fails.
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit limited = before;
+  limited.rlim_cur = 60'000;
+  setrlimit(RLIMIT_FSIZE, &limited);
+  const WriteOutcome outcome = write_results(result_, std::string(100'000, 'x'), top_);
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_NE(outcome.error.find("report.html"), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("File too large"), std::string::npos) << outcome.error;
+  EXPECT_EQ(content(), std::set<std::string>{"report.html"});
+  EXPECT_EQ(read(top_ / "report.html"), "old");
+  EXPECT_FALSE(fs::exists(top_ / "push"));
+}
+
+TEST_F(WriteResults, TouchesNothingWhenAFolderIsInTheWay) {
+  fs::create_directories(top_ / "report.html");
+  const WriteOutcome outcome = write_results(result_, "", top_);
+  EXPECT_NE(outcome.error.find("a folder of that name is in the way"), std::string::npos);
+  EXPECT_TRUE(content().empty());
+}
+
+TEST_F(WriteResults, RefusesValuesThatAreNoNumbers) {
+  Result result = result_;
+  std::get<PathResult>(result.studies[0].content).modelings[3].states[2].points[0].x = std::nan("");
+  const WriteOutcome outcome = write_results(result, "", top_);
+  EXPECT_EQ(outcome.error,
+            "Cannot write 'push/exact.csv': row 2: link4.E.x is not a finite number.");
+  EXPECT_TRUE(content().empty());
+}
+
+TEST_F(WriteResults, RefusesNamesThatLeaveTheFolder) {
+  for (const char* name : {"../elsewhere", "a/b", "..", "", ".hidden"}) {
+    Result result = result_;
+    std::get<PathResult>(result.studies[0].content).modelings[0].label = name;
+    EXPECT_FALSE(write_results(result, "", top_).ok()) << name;
+    result = result_;
+    result.studies[3].name = name;
+    EXPECT_FALSE(write_results(result, "", top_).ok()) << name;
+  }
+  EXPECT_TRUE(content().empty());
+}
+
+TEST_F(WriteResults, RefusesTwoResultsOfOneName) {
+  Result result = result_;
+  std::get<PathResult>(result.studies[0].content).modelings[0].label = "exact";
+  EXPECT_NE(write_results(result, "", top_).error.find("'push/exact.csv'"), std::string::npos);
+  EXPECT_TRUE(content().empty());
+}
+
+}  // namespace
+}  // namespace flexura

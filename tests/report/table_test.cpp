@@ -1,0 +1,90 @@
+#include "flexura/report/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "flexura/report/wrap.hpp"
+#include "tests/report/sample_result.hpp"
+
+namespace flexura {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+Result only(std::size_t study) {
+  Result result = sample::make_sample_result();
+  result.studies = {result.studies[study]};
+  return result;
+}
+
+TEST(ComparisonTable, HasARowPerModeling) {
+  const std::vector<std::string> lines = lines_of(make_comparison_table(only(0), false));
+  ASSERT_EQ(lines.size(), 7U);
+  EXPECT_EQ(lines[0], "push  path, compared with continuum");
+  const std::regex exact(R"(  exact +converged +9 +20 +80 +470 us +3\.10e-08 % +0\.00\d+ %)");
+  EXPECT_TRUE(std::regex_match(lines[5], exact)) << lines[5];
+  const std::regex continuum(
+      R"(  continuum +converged +67202 +20 +80 +132 s +0\.00240 % +reference)");
+  EXPECT_TRUE(std::regex_match(lines[6], continuum)) << lines[6];
+}
+
+TEST(ComparisonTable, AlignsItsColumns) {
+  Result result = only(0);
+  std::get<PathResult>(result.studies[0].content).modelings[2].label = "prbm, größer";
+  const std::vector<std::string> lines = lines_of(make_comparison_table(result, false));
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    EXPECT_EQ(display_width(lines[i]), display_width(lines[1])) << lines[i];
+  }
+}
+
+TEST(ComparisonTable, ShowsEventsAndReasonsBelowTheRow) {
+  const std::vector<std::string> lines = lines_of(make_comparison_table(only(1), false));
+  ASSERT_GT(lines.size(), 6U);
+  EXPECT_TRUE(std::regex_search(lines[3], std::regex("scmbm +stopped"))) << lines[3];
+  EXPECT_EQ(lines[4], "      stability lost at load factor 0.57");
+  EXPECT_EQ(lines[5].find("      stopped at load factor 0.65: No equilibrium"), 0U) << lines[5];
+  for (const std::string& line : lines) EXPECT_LE(display_width(line), 100U);
+}
+
+TEST(ComparisonTable, ColoursOnlyWhenAsked) {
+  const Result result = sample::make_sample_result();
+  const std::string plain = make_comparison_table(result, false);
+  const std::string coloured = make_comparison_table(result, true);
+  EXPECT_EQ(plain.find('\x1b'), std::string::npos);
+  EXPECT_EQ(std::regex_replace(coloured, std::regex("\x1b\\[[0-9]*m"), ""), plain);
+  EXPECT_NE(coloured.find("\x1b[31mstopped\x1b[0m"), std::string::npos);
+}
+
+TEST(ComparisonTable, PointsFromALinearStudyToItsFile) {
+  EXPECT_EQ(make_comparison_table(only(3), false),
+            "ellipses  linear, 7 compliance matrices: ellipses/ellipse.json\n");
+}
+
+TEST(ComparisonTable, CopesWithAModelingThatNeverBegan) {
+  Result result = only(0);
+  ModelingPath& modeling = std::get<PathResult>(result.studies[0].content).modelings[1];
+  modeling = {};
+  modeling.label = "scmbm";
+  const std::string table = make_comparison_table(result, false);
+  EXPECT_NE(table.find("      stopped no reason was given\n"), std::string::npos) << table;
+}
+
+TEST(WrapText, BreaksBetweenWords) {
+  EXPECT_EQ(wrap_text("one two three", 7), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(wrap_text("unbreakable x", 4), (std::vector<std::string>{"unbreakable", "x"}));
+  EXPECT_TRUE(wrap_text("  ", 4).empty());
+}
+
+TEST(DisplayWidth, CountsCodePoints) { EXPECT_EQ(display_width("größer"), 6U); }
+
+}  // namespace
+}  // namespace flexura
