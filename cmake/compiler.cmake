@@ -2,6 +2,8 @@
 add_library(flexura_options INTERFACE)
 target_compile_options(flexura_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
+  -fno-math-errno  # nobody reads errno after a square root
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false alarms of GCC 12 (bug 105651)
   $<$<BOOL:${FLEXURA_WERROR}>:-Werror>
   $<$<BOOL:${FLEXURA_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all
     -fno-omit-frame-pointer -Wno-maybe-uninitialized>

@@ -1,4 +1,4 @@
-#include "commands.hpp"
+#include "apps/flexura/commands.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "apps/flexura/terminal.hpp"
 #include "flexura/core/nearest_word.hpp"
 #include "flexura/io/model_reader.hpp"
 #include "flexura/io/starter.hpp"
@@ -17,7 +18,6 @@
 #include "flexura/report/report.hpp"
 #include "flexura/report/table.hpp"
 #include "flexura/studies/run_studies.hpp"
-#include "terminal.hpp"
 
 namespace flexura::app {
 namespace {

@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
-#include "commands.hpp"
-#include "terminal.hpp"
+#include "apps/flexura/commands.hpp"
+#include "apps/flexura/terminal.hpp"
 
 namespace {
 

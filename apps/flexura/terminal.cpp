@@ -1,4 +1,4 @@
-#include "terminal.hpp"
+#include "apps/flexura/terminal.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

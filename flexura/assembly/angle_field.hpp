@@ -36,7 +36,7 @@ struct AngleField {
   std::vector<double> stiffness;  ///< S, unknowns x unknowns, row-major
   Vec2 offset;
 
-  std::size_t scratch_size() const { return unknowns * (unknowns + 7); }
+  std::size_t scratch_size() const { return unknowns * (unknowns + 9); }
 
   /// theta_g - theta0_g.
   double turn(std::size_t point, const double* y) const {
@@ -64,18 +64,20 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
                                   const Eigen::Vector3d& load, const double* y, double* scratch) {
   using Jet = Jet2<3, Pack2>;
   const std::size_t m = field.unknowns;
-  double* columns = scratch;           // r_y, W_yfx, W_yfy, W_ymu; later u and Z
-  double* coupling = scratch + 4 * m;  // W_y(load), kept
-  double* tangent = scratch + 7 * m;   // W_yy
-  std::fill(columns, columns + 3 * m, 0.0);
+  // per unknown: W_y, W_yfx, W_yfy, W_ymu; then the same times the inverse of W_yy
+  double* __restrict columns = scratch;
+  double* coupling = scratch + 4 * m;
+  double* __restrict tangent = scratch + 8 * m;  // W_yy
+  double* column = scratch + (8 + m) * m;
+  std::fill(columns, columns + 4 * m, 0.0);
   std::copy(field.stiffness.begin(), field.stiffness.end(), tangent);
 
   const Jet fx = Jet::variable(1, Pack2{load[0], load[0]});
   const Jet fy = Jet::variable(2, Pack2{load[1], load[1]});
   Jet pairs;  // of it, only value and derivatives by the force are meant to be added up
   for (std::size_t g = 0; g < field.weights.size(); g += 2) {
-    const double* turn0 = field.turns.data() + g * m;
-    const double* turn1 = turn0 + m;
+    const double* __restrict turn0 = field.turns.data() + g * m;
+    const double* __restrict turn1 = turn0 + m;
     const Pack2 angle{field.angles[g] + field.turn(g, y),
                       field.angles[g + 1] + field.turn(g + 1, y)};
     Jet phi = potential(Jet::variable(0, angle), fx, fy);
@@ -87,9 +89,9 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
     for (std::size_t i = 0; i < m; ++i) {
       const double j0 = turn0[i];
       const double j1 = turn1[i];
-      columns[i] += by_angle[0] * j0 + by_angle[1] * j1;
-      columns[m + i] += by_fx[0] * j0 + by_fx[1] * j1;
-      columns[2 * m + i] += by_fy[0] * j0 + by_fy[1] * j1;
+      columns[4 * i] += by_angle[0] * j0 + by_angle[1] * j1;
+      columns[4 * i + 1] += by_fx[0] * j0 + by_fx[1] * j1;
+      columns[4 * i + 2] += by_fy[0] * j0 + by_fy[1] * j1;
       const double scaled0 = by_angle_twice[0] * j0;
       const double scaled1 = by_angle_twice[1] * j1;
       double* row = tangent + i * m;
@@ -105,13 +107,14 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
     for (std::size_t k = 0; k < m; ++k) stiff += field.stiffness[i * m + k] * y[k];
     bending += 0.5 * stiff * y[i];
     tip_rotation += field.tip_turn[i] * y[i];
-    columns[i] += stiff - load[2] * field.tip_turn[i];
-    columns[3 * m + i] = -field.tip_turn[i];
+    columns[4 * i] += stiff - load[2] * field.tip_turn[i];
+    columns[4 * i + 3] = -field.tip_turn[i];
   }
-  std::copy(columns + m, columns + 4 * m, coupling);
+  std::copy(columns, columns + 4 * m, coupling);
 
-  const LdltInertia inertia = factorize_ldlt(tangent, m);
-  solve_ldlt(tangent, m, columns, 4);
+  const BandLayout layout = dense_layout(m);
+  const LdltInertia inertia = factorize_ldlt(tangent, layout, column);
+  solve_ldlt<4>(tangent, layout, columns);
 
   TipResponse response;
   response.negative = inertia.negative;
@@ -122,14 +125,11 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
   response.flexibility << -sum.second(1, 1), -sum.second(1, 2), 0.0,  //
       -sum.second(2, 1), -sum.second(2, 2), 0.0,                      //
       0.0, 0.0, 0.0;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double* w = coupling + a * m;
-    const auto row = static_cast<Eigen::Index>(a);
-    for (std::size_t i = 0; i < m; ++i) {
-      response.tip[row] += w[i] * columns[i];
-      for (std::size_t b = 0; b < 3; ++b)
-        response.flexibility(row, static_cast<Eigen::Index>(b)) += w[i] * columns[(b + 1) * m + i];
-    }
+  for (std::size_t i = 0; i < m; ++i) {
+    const Eigen::Map<const Eigen::Vector3d> w(coupling + 4 * i + 1);
+    const Eigen::Map<const Eigen::Vector3d> z(columns + 4 * i + 1);
+    response.tip += columns[4 * i] * w;
+    response.flexibility += w * z.transpose();
   }
   return response;
 }

@@ -16,12 +16,15 @@ constexpr double regular_flexibility = 1e-8;  // least over largest pivot, scale
 bool invert(const Eigen::Matrix3d& matrix, Eigen::Matrix3d& inverse, int& negative) {
   Eigen::Matrix3d factor = matrix;  // symmetric: row- and column-major are the same
   double* a = factor.data();
-  negative = factorize_ldlt(a, 3).negative;
+  double column[3];
+  const LdltInertia inertia = factorize_ldlt(a, dense_layout(3), column);
+  negative = inertia.negative;
+  if (inertia.singular) return false;
   const double d[3] = {std::abs(a[0]), std::abs(a[4]), std::abs(a[8])};
   if (!(*std::min_element(d, d + 3) > regular_flexibility * *std::max_element(d, d + 3)))
     return false;
   inverse.setIdentity();
-  solve_ldlt(a, 3, inverse.data(), 3);
+  solve_ldlt<3>(a, dense_layout(3), inverse.data());
   return true;
 }
 
@@ -164,9 +167,9 @@ void System::expand(const Eigen::VectorXd& reduced, bool with_residual,
     const std::size_t m = layout_.members[k].port->internal_size();
     const double* u = scratch_.data() + index.scratch;
     double* out = step.data() + index.internal;
-    for (std::size_t i = 0; i < m; ++i)
-      out[i] = -(with_residual ? u[i] : 0.0) - u[m + i] * load[0] - u[2 * m + i] * load[1] -
-               u[3 * m + i] * load[2];
+    const double residual = with_residual ? 1.0 : 0.0;
+    for (std::size_t i = 0; i < m; ++i, u += 4)
+      out[i] = -residual * u[0] - u[1] * load[0] - u[2] * load[1] - u[3] * load[2];
   }
 }
 

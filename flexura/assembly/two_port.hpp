@@ -46,7 +46,7 @@ class TwoPort {
   virtual std::size_t scratch_size() const = 0;
 
   /// Evaluates at (load, internal) and eliminates the internal unknowns. The first 4 m doubles of
-  /// scratch then hold the columns u and Z (m x 3) of their Newton step,
+  /// scratch then hold, row by row, (u, Z) with Z m x 3: their Newton step is
   /// d(internal) = -u - Z d(load). Does not allocate.
   virtual TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                                 double* scratch) const = 0;

@@ -12,98 +12,81 @@ struct LdltInertia {
   bool singular = false;
 };
 
-/// L D L^T without pivoting of a small dense symmetric matrix: n x n, row-major, lower triangle,
-/// overwritten by L below the diagonal and D on it. For matrices that are positive definite, or
-/// indefinite by a few well separated directions: Newton corrects the rounding of a small pivot,
-/// and a vanishing one is reported.
-inline LdltInertia factorize_ldlt(double* a, std::size_t n) {
+/// L D L^T without pivoting of a symmetric band matrix, in place. Entry (i, j), j <= i, is at
+/// a[i * row_stride + shift + j], defined for i - j <= width; L replaces what is below the diagonal
+/// and D the diagonal. A dense matrix is one of width n - 1.
+///
+/// For matrices that are positive definite, or indefinite by a few well separated directions:
+/// Newton corrects the rounding of a small pivot, and a vanishing one is reported. Right-looking,
+/// so that the inner loop runs along rows.
+struct BandLayout {
+  std::size_t n = 0;
+  std::size_t width = 0;
+  std::size_t row_stride = 0;
+  std::size_t shift = 0;  ///< of the column index in row 0; decreases by `slide` from row to row
+  std::size_t slide = 0;
+
+  double* row(double* a, std::size_t i) const { return a + i * row_stride + shift - i * slide; }
+  const double* row(const double* a, std::size_t i) const {
+    return a + i * row_stride + shift - i * slide;
+  }
+};
+
+/// n x n, row-major.
+inline BandLayout dense_layout(std::size_t n) { return {n, n == 0 ? 0 : n - 1, n, 0, 0}; }
+/// Rows of width + 1 entries, the diagonal last; entries left of the matrix are unused.
+inline BandLayout band_layout(std::size_t n, std::size_t width) {
+  return {n, width, width + 1, width, 1};
+}
+
+/// `column` is scratch for n doubles.
+inline LdltInertia factorize_ldlt(double* __restrict a, const BandLayout& layout,
+                                  double* __restrict column) {
   LdltInertia inertia;
-  for (std::size_t j = 0; j < n; ++j) {
-    double* row_j = a + j * n;
-    // Row j of the lower triangle still holds A; rows above hold L and D.
-    double largest = std::abs(row_j[j]);
-    for (std::size_t k = 0; k < j; ++k) {
-      double v = row_j[k];
-      const double* row_k = a + k * n;
-      for (std::size_t i = 0; i < k; ++i) v -= row_j[i] * row_k[i];
-      row_j[k] = v;  // L_jk D_k, divided below
-    }
-    double pivot = row_j[j];
-    for (std::size_t k = 0; k < j; ++k) {
-      const double l = row_j[k] / a[k * n + k];
-      pivot -= l * row_j[k];
-      largest = std::fmax(largest, std::abs(l * row_j[k]));
-      row_j[k] = l;
-    }
-    row_j[j] = pivot;
-    if (!(std::abs(pivot) > 1e-15 * largest)) inertia.singular = true;
+  for (std::size_t j = 0; j < layout.n; ++j) {
+    const double pivot = layout.row(a, j)[j];
+    // rounding leaves about this much of a pivot that vanishes
+    double largest = 0.0;
     if (pivot < 0.0) ++inertia.negative;
+    const std::size_t end = std::min(layout.n, j + layout.width + 1);
+    for (std::size_t i = j + 1; i < end; ++i) {
+      column[i] = layout.row(a, i)[j];
+      largest = std::max(largest, std::abs(column[i]));
+    }
+    if (!(std::abs(pivot) > 1e-15 * largest) || pivot == 0.0) {
+      inertia.singular = true;
+      return inertia;
+    }
+    const double inverse = 1.0 / pivot;
+    for (std::size_t i = j + 1; i < end; ++i) {
+      double* __restrict row = layout.row(a, i);
+      const double l = column[i] * inverse;
+      for (std::size_t k = j + 1; k <= i; ++k) row[k] -= l * column[k];
+      row[j] = l;
+    }
   }
   return inertia;
 }
 
-/// Solves in place for `columns` right-hand sides, each contiguous with length n.
-inline void solve_ldlt(const double* a, std::size_t n, double* b, std::size_t columns) {
-  for (std::size_t c = 0; c < columns; ++c, b += n) {
-    for (std::size_t j = 0; j < n; ++j) {
-      double v = b[j];
-      for (std::size_t k = 0; k < j; ++k) v -= a[j * n + k] * b[k];
-      b[j] = v;
-    }
-    for (std::size_t j = 0; j < n; ++j) b[j] /= a[j * n + j];
-    for (std::size_t j = n; j-- > 0;) {
-      const double v = b[j];
-      for (std::size_t k = 0; k < j; ++k) b[k] -= a[j * n + k] * v;
-    }
-  }
-}
-
-/// The same for a band matrix: row i holds entries i - width .. i at i (width + 1), columns left of
-/// the matrix unused.
-inline LdltInertia factorize_band_ldlt(double* a, std::size_t n, std::size_t width) {
-  LdltInertia inertia;
-  const std::size_t stride = width + 1;
+/// Solves in place for `Columns` right-hand sides, interleaved: b[i * Columns + c].
+template <std::size_t Columns>
+void solve_ldlt(const double* __restrict a, const BandLayout& layout, double* __restrict b) {
+  const std::size_t n = layout.n;
   for (std::size_t j = 0; j < n; ++j) {
-    double* row_j = a + j * stride + width - j;  // row_j[k] is entry (j, k)
-    const std::size_t from = j > width ? j - width : 0;
-    double largest = std::abs(row_j[j]);
-    for (std::size_t k = from; k < j; ++k) {
-      const double* row_k = a + k * stride + width - k;
-      double v = row_j[k];
-      for (std::size_t i = k > width ? std::max(from, k - width) : from; i < k; ++i)
-        v -= row_j[i] * row_k[i];
-      row_j[k] = v;
-    }
-    double pivot = row_j[j];
-    for (std::size_t k = from; k < j; ++k) {
-      const double l = row_j[k] / a[k * stride + width];
-      pivot -= l * row_j[k];
-      largest = std::fmax(largest, std::abs(l * row_j[k]));
-      row_j[k] = l;
-    }
-    row_j[j] = pivot;
-    if (!(std::abs(pivot) > 1e-15 * largest)) inertia.singular = true;
-    if (pivot < 0.0) ++inertia.negative;
+    const double* row = layout.row(a, j);
+    double* bj = b + j * Columns;
+    for (std::size_t k = j > layout.width ? j - layout.width : 0; k < j; ++k)
+      for (std::size_t c = 0; c < Columns; ++c) bj[c] -= row[k] * b[k * Columns + c];
   }
-  return inertia;
-}
-
-inline void solve_band_ldlt(const double* a, std::size_t n, std::size_t width, double* b,
-                            std::size_t columns) {
-  const std::size_t stride = width + 1;
-  for (std::size_t c = 0; c < columns; ++c, b += n) {
-    for (std::size_t j = 0; j < n; ++j) {
-      const double* row = a + j * stride + width - j;
-      double v = b[j];
-      for (std::size_t k = j > width ? j - width : 0; k < j; ++k) v -= row[k] * b[k];
-      b[j] = v;
-    }
-    for (std::size_t j = 0; j < n; ++j) b[j] /= a[j * stride + width];
-    for (std::size_t j = n; j-- > 0;) {
-      const double* row = a + j * stride + width - j;
-      const double v = b[j];
-      for (std::size_t k = j > width ? j - width : 0; k < j; ++k) b[k] -= row[k] * v;
-    }
+  for (std::size_t j = 0; j < n; ++j) {
+    const double inverse = 1.0 / layout.row(a, j)[j];
+    for (std::size_t c = 0; c < Columns; ++c) b[j * Columns + c] *= inverse;
+  }
+  for (std::size_t j = n; j-- > 0;) {
+    const double* row = layout.row(a, j);
+    const double* bj = b + j * Columns;
+    for (std::size_t k = j > layout.width ? j - layout.width : 0; k < j; ++k)
+      for (std::size_t c = 0; c < Columns; ++c) b[k * Columns + c] -= row[k] * bj[c];
   }
 }
 

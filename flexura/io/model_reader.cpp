@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 
+#include "flexura/io/locator.hpp"
 #include "flexura/io/read_entities.hpp"
 #include "flexura/io/read_parameters.hpp"
 #include "flexura/io/read_studies.hpp"
@@ -84,27 +84,6 @@ ValidationScope scope_of(const Reading& reading, const Model& model, const TomlN
   return scope;
 }
 
-/// The position of what a path leads to, or of the last thing on the way that is there.
-SourcePosition locate(const TomlNode& root, const KeyPath& path) {
-  const TomlNode* node = &root;
-  SourcePosition position = root.position;
-  for (const std::string& key : path) {
-    if (const TomlEntry* entry = node->find(key)) {
-      node = &entry->node;
-      position = node->table() ? entry->position : node->position;
-      continue;
-    }
-    const TomlNode::Array* elements = node->array();
-    std::size_t index = 0;
-    if (!elements || key.front() != '[') break;
-    std::from_chars(key.data() + 1, key.data() + key.size(), index);
-    if (index >= elements->size()) break;
-    node = &(*elements)[index];
-    position = node->position;
-  }
-  return position;
-}
-
 /// The rules of a valid model, but for what is mistaken already.
 void validate(Reading& reading, const Model& model, const TomlNode& root) {
   std::vector<Mistake> news = find_mistakes(model, scope_of(reading, model, root));
@@ -112,8 +91,9 @@ void validate(Reading& reading, const Model& model, const TomlNode& root) {
   std::erase_if(news, [&reading](const Mistake& mistake) {
     return !mistake.independent && reading.has_mistake(mistake.path);
   });
+  Locator locator(root);
   for (const Mistake& mistake : news) {
-    reading.report(mistake.path, locate(root, mistake.path), mistake.message);
+    reading.report(mistake.path, locator.locate(mistake.path), mistake.message);
   }
 }
 

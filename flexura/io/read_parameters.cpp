@@ -80,9 +80,8 @@ class ParameterReader {
     if (result.quantity) {
       define(parameter, reading_.units.value_of(*result.quantity));
     } else {
-      fail(parameter, fmt::format("expected a number, a quantity with a unit or an expression "
-                                  "\"= ..\"; as a quantity, {}",
-                                  result.error));
+      fail(parameter, "expected a number, a quantity with a unit or an expression \"= ..\"",
+           ": " + result.error);
     }
   }
 
@@ -95,9 +94,9 @@ class ParameterReader {
                     fmt::format("--set {}={}: unknown parameter '{}'{}", name, value, name, hint));
   }
 
-  void fail(Parameter& parameter, const std::string& why) {
+  void fail(Parameter& parameter, const std::string& what, const std::string& why = "") {
     reading_.report(parameter.path, parameter.position,
-                    fmt::format("{}, got {}", why, parameter.quoted));
+                    fmt::format("{}, got {}{}", what, parameter.quoted, why));
     spoil(parameter);
   }
 
@@ -177,6 +176,7 @@ class ParameterReader {
     std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
     const Parameter& first = parameters_[cycle.front()];
     std::vector<std::string> names;
+    names.reserve(cycle.size() + 1);
     for (const std::size_t i : cycle) names.push_back(parameters_[i].name);
     names.push_back(first.name);
     reading_.report(

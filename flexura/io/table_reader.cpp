@@ -136,7 +136,7 @@ std::optional<std::string> TableReader::exactly_one_of(std::span<const std::stri
 
 std::optional<std::string> read_word(Reading& reading, const Place& place, const std::string& what,
                                      const Vocabulary& words) {
-  const auto word = read_text(reading, place);
+  auto word = read_text(reading, place);
   if (!word || contains(words.keys, *word)) return word;
   if (contains(words.planned, *word)) {
     reading.report(place.path, place.node->position,

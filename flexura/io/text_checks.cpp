@@ -142,7 +142,7 @@ std::string too_long_message(std::uintmax_t size) {
   const std::string has =
       size == 0 ? "is longer" : fmt::format("has {:.1f} MB", static_cast<double>(size) / megabyte);
   return fmt::format("the file {}; a model file may have {} MB at most", has,
-                     longest_model_text / (1024 * 1024));
+                     longest_model_text >> 20U);
 }
 
 std::optional<Diagnostic> check_text(std::string_view text) {

@@ -11,7 +11,7 @@
 namespace flexura {
 
 /// No model file is longer (bytes).
-inline constexpr std::size_t longest_model_text = 4 * 1024 * 1024;
+inline constexpr std::size_t longest_model_text = std::size_t{4} << 20U;
 
 /// What to say of a longer one; size 0 is unknown.
 std::string too_long_message(std::uintmax_t size);

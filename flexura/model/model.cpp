@@ -31,32 +31,39 @@ Vec2 body_centre(const Model& model, std::size_t body) {
   return {};
 }
 
-std::optional<Vec2> common_pin(const Model& model, std::size_t body) {
+std::vector<std::optional<Vec2>> common_pins(const Model& model) {
   // Ends typed with six digits or computed from angles still count as one place.
   constexpr double same_place = 1e-6;
-  std::optional<Vec2> pin;
-  double size = 0.0;
-  double spread = 0.0;
-  const auto add_end = [&](bool pinned, Vec2 end) {
-    if (!pin) pin = end;
-    spread = std::max(spread, norm(end - *pin));
-    return pinned;
+  struct Ends {
+    std::optional<Vec2> first;
+    bool all_pinned = true;
+    double spread = 0.0;  // of the ends
+    double size = 0.0;    // of the flexures
   };
+  std::vector<Ends> bodies(model.bodies.size());
   for (const Flexure& flexure : model.flexures) {
     const AxisEnds ends = axis_ends(flexure.axis);
-    bool pinned = true;
-    if (flexure.base == body) pinned = add_end(flexure.pinned_base, ends.base);
-    if (flexure.action == body) pinned = add_end(flexure.pinned_action, ends.action) && pinned;
-    if (!pinned) return {};
-    if (flexure.base == body || flexure.action == body) {
-      size = std::max(size, norm(ends.action - ends.base));
-    }
+    const auto add_end = [&](std::size_t index, bool pinned, Vec2 end) {
+      if (index >= bodies.size()) return;
+      Ends& body = bodies[index];
+      if (!body.first) body.first = end;
+      body.all_pinned = body.all_pinned && pinned;
+      body.spread = std::max(body.spread, norm(end - *body.first));
+      body.size = std::max(body.size, norm(ends.action - ends.base));
+    };
+    add_end(flexure.base, flexure.pinned_base, ends.base);
+    add_end(flexure.action, flexure.pinned_action, ends.action);
   }
-  return spread <= same_place * size ? pin : std::nullopt;
+  std::vector<std::optional<Vec2>> pins;
+  for (const Ends& body : bodies) {
+    const bool one_pin = body.all_pinned && body.spread <= same_place * body.size;
+    pins.push_back(one_pin ? body.first : std::nullopt);
+  }
+  return pins;
 }
 
 bool body_can_turn(const Model& model, std::size_t body) {
-  return model.bodies[body].fixed || !common_pin(model, body);
+  return model.bodies[body].fixed || !common_pins(model)[body];
 }
 
 }  // namespace flexura

@@ -140,9 +140,10 @@ AxisEnds axis_ends(const AxisShape& axis);
 /// origin.
 Vec2 body_centre(const Model& model, std::size_t body);
 
-/// The one place where all flexure ends on the body are pinned; nothing if one is clamped, if
-/// pins lie apart (they then hold the body's rotation between them), or if there are none.
-std::optional<Vec2> common_pin(const Model& model, std::size_t body);
+/// For every body the one place where all flexure ends on it are pinned; nothing if one is
+/// clamped, if pins lie apart (they then hold the body's rotation between them), or if there are
+/// none.
+std::vector<std::optional<Vec2>> common_pins(const Model& model);
 
 /// Whether a pose of the body makes sense beyond its position: false for a moving body that
 /// hangs on one common pin alone.

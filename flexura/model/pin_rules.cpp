@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <map>
-
 #include "flexura/model/rules.hpp"
 
 namespace flexura {
@@ -10,7 +8,8 @@ namespace {
 /// A body that hangs on one pin has no rotation of its own: it takes forces at the pin only.
 class PinRules {
  public:
-  PinRules(const Model& model, Mistakes& mistakes) : model_(model), mistakes_(mistakes) {}
+  PinRules(const Model& model, Mistakes& mistakes)
+      : model_(model), mistakes_(mistakes), pins_(common_pins(model)) {}
 
   void check(const Load& load, const KeyPath& path) {
     if (load.body >= model_.bodies.size()) return;
@@ -45,16 +44,13 @@ class PinRules {
   }
 
  private:
-  std::optional<Vec2> pin_of(std::size_t body) {
-    if (model_.bodies[body].fixed) return {};
-    const auto [at, is_new] = pins_.try_emplace(body);
-    if (is_new) at->second = common_pin(model_, body);
-    return at->second;
+  std::optional<Vec2> pin_of(std::size_t body) const {
+    return model_.bodies[body].fixed ? std::nullopt : pins_[body];
   }
 
   const Model& model_;
   Mistakes& mistakes_;
-  std::map<std::size_t, std::optional<Vec2>> pins_;
+  std::vector<std::optional<Vec2>> pins_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "flexura/model/validation.hpp"
@@ -11,9 +12,11 @@ namespace flexura {
 /// Collects broken rules.
 class Mistakes {
  public:
-  void add(const KeyPath& path, std::string message) { list_.push_back({path, message, false}); }
+  void add(const KeyPath& path, std::string message) {
+    list_.push_back({path, std::move(message), false});
+  }
   void add_independent(const KeyPath& path, std::string message) {
-    list_.push_back({path, message, true});
+    list_.push_back({path, std::move(message), true});
   }
 
   void require_finite(const KeyPath& path, double value);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "flexura/model/rules.hpp"
 
@@ -12,7 +14,7 @@ namespace flexura {
 std::string to_text(const KeyPath& path) {
   std::string text;
   for (const std::string& key : path) {
-    if (!text.empty() && key.front() != '[') text += '.';
+    if (!text.empty() && !key.starts_with('[')) text += '.';
     text += key;
   }
   return text;
@@ -72,31 +74,40 @@ std::vector<Mistake> find_mistakes(const Model& model, const ValidationScope& sc
 
 namespace {
 
-template <typename Entity>
-SourcePosition find_source(const std::vector<Entity>& entities, const std::string& name) {
-  for (const Entity& entity : entities) {
-    if (entity.name == name) return entity.source;
+/// The `source` fields of a model's entities, by the first two keys of their paths.
+class Sources {
+ public:
+  explicit Sources(const Model& model) {
+    add("materials", model.materials);
+    add("sections", model.sections);
+    add("bodies", model.bodies);
+    add("flexures", model.flexures);
+    add("studies", model.studies);
   }
-  return {};
-}
+
+  SourcePosition of(const KeyPath& path) const {
+    if (path.size() < 2) return {};
+    const auto at = positions_.find({path[0], path[1]});
+    return at == positions_.end() ? SourcePosition{} : at->second;
+  }
+
+ private:
+  template <typename Entities>
+  void add(const std::string& kind, const Entities& entities) {
+    for (const auto& entity : entities) positions_.try_emplace({kind, entity.name}, entity.source);
+  }
+
+  std::map<std::pair<std::string, std::string>, SourcePosition> positions_;
+};
 
 }  // namespace
 
-SourcePosition source_of(const Model& model, const KeyPath& path) {
-  if (path.size() < 2) return {};
-  if (path[0] == "materials") return find_source(model.materials, path[1]);
-  if (path[0] == "sections") return find_source(model.sections, path[1]);
-  if (path[0] == "bodies") return find_source(model.bodies, path[1]);
-  if (path[0] == "flexures") return find_source(model.flexures, path[1]);
-  if (path[0] == "studies") return find_source(model.studies, path[1]);
-  return {};
-}
-
 Diagnostics validate_model(const Model& model) {
+  const Sources sources(model);
   Diagnostics diagnostics;
   for (const Mistake& mistake : find_mistakes(model, {})) {
     diagnostics.push_back(
-        {source_of(model, mistake.path), to_text(mistake.path) + ": " + mistake.message});
+        {sources.of(mistake.path), to_text(mistake.path) + ": " + mistake.message});
   }
   std::stable_sort(
       diagnostics.begin(), diagnostics.end(),

@@ -40,7 +40,4 @@ std::vector<Mistake> find_mistakes(const Model& model, const ValidationScope& sc
 /// or study concerned), each with the place in words. Empty means valid: studies may rely on it.
 Diagnostics validate_model(const Model& model);
 
-/// The position of the entity that a path leads into, from the model's own `source` fields.
-SourcePosition source_of(const Model& model, const KeyPath& path);
-
 }  // namespace flexura

@@ -23,7 +23,7 @@ class BeamPort final : public TwoPort {
         chord_(flexure.axis.position(mesh_.length) - flexure.axis.position(0.0)) {}
 
   std::size_t internal_size() const override { return 3 * (mesh_.nodes() - 1); }
-  std::size_t scratch_size() const override { return internal_size() * (4 + width() + 1); }
+  std::size_t scratch_size() const override { return internal_size() * (4 + width() + 1 + 1); }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
@@ -78,9 +78,9 @@ double BeamPort::add_point(std::size_t element, std::size_t gauss, const double*
   for (std::size_t a = first == 0 ? 1 : 0; a < per; ++a) {
     const double da = length * d[a];
     const std::size_t i = 3 * (first + a - 1);
-    residual[i] += da * energy.gradient[0];
-    residual[i + 1] += da * energy.gradient[1];
-    residual[i + 2] += n[a] * energy.gradient[2] + d[a] * energy.gradient[3];
+    residual[4 * i] += da * energy.gradient[0];
+    residual[4 * (i + 1)] += da * energy.gradient[1];
+    residual[4 * (i + 2)] += n[a] * energy.gradient[2] + d[a] * energy.gradient[3];
     // Hessian times the columns of node a
     std::array<std::array<double, 3>, 4> h;
     for (std::size_t v = 0; v < 4; ++v)
@@ -115,20 +115,22 @@ TipResponse BeamPort::linearize(const Eigen::Vector3d& load, const double* y,
       response.strain_energy += add_point(e, g, y, columns, band);
   const double lever[3] = {length, length, 1.0};  // of the tip's unknowns on its pose
   for (std::size_t c = 0; c < 3; ++c) {
-    columns[last + c] -= lever[c] * load[static_cast<Eigen::Index>(c)];
-    columns[(c + 1) * m + last + c] = -lever[c];
+    columns[4 * (last + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
+    columns[4 * (last + c) + c + 1] = -lever[c];
   }
-  const LdltInertia inertia = factorize_band_ldlt(band, m, width());
-  solve_band_ldlt(band, m, width(), columns, 4);
+  const BandLayout layout = band_layout(m, width());
+  double* column = band + m * (width() + 1);
+  const LdltInertia inertia = factorize_ldlt(band, layout, column);
+  solve_ldlt<4>(band, layout, columns);
   response.negative = inertia.negative;
   response.singular = inertia.singular;
   response.tip << chord_.x, chord_.y, 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto row = static_cast<Eigen::Index>(c);
-    response.tip[row] += lever[c] * (y[last + c] - columns[last + c]);
+    response.tip[row] += lever[c] * (y[last + c] - columns[4 * (last + c)]);
     for (std::size_t k = 0; k < 3; ++k)
       response.flexibility(row, static_cast<Eigen::Index>(k)) =
-          -lever[c] * columns[(k + 1) * m + last + c];
+          -lever[c] * columns[4 * (last + c) + k + 1];
   }
   return response;
 }

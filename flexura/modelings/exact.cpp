@@ -14,6 +14,8 @@ namespace flexura {
 namespace {
 
 constexpr int more_modes = 4;   // by which the estimate's flexure is finer
+// Gauss points beyond one per mode: products of two modes and a smooth function of the angle.
+constexpr int more_points = 6;
 constexpr int most_modes = 20;  // per piece; beyond, pieces are halved instead
 constexpr int halved_modes = 12;
 constexpr std::size_t storable_modes = 40;  // what a user may ask for, and then some
@@ -60,7 +62,7 @@ ExactPort::ExactPort(const FlexureProperties& flexure, Discretization discretiza
   const double length = axis.length();
   const std::size_t m = discretization_.modes_per_piece();
   const std::size_t n = discretization_.unknowns();
-  const QuadratureRule& rule = gauss_legendre(2 * discretization_.modes);
+  const QuadratureRule& rule = gauss_legendre(discretization_.modes + more_points);
 
   field_.unknowns = n;
   field_.stiffness.assign(n * n, 0.0);

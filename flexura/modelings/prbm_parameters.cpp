@@ -108,7 +108,7 @@ HowellParameters howell_parameters(double n) {
   return p;
 }
 
-HowellParameters howell_end_moment() { return {0.7346, 1.5164}; }
+HowellParameters howell_end_moment() { return {0.7346, 1.5164 / 0.7346}; }
 
 PseudoRigidChain pseudo_rigid_chain(const FlexureProperties& flexure, const PrbmSettings& settings,
                                     std::optional<double> load_ratio) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <deque>
 #include <vector>
 
@@ -15,29 +14,27 @@ struct CurvePoint {
 
 /// Extrapolates a curve from its last points by Hermite interpolation: value and slope at up to
 /// three of them, so up to degree five. Precondition: at least one point; parameters differ.
+///     z(x) = sum_k [ (1 - 2 l_k'(x_k) (x - x_k)) z_k + (x - x_k) z'_k ] l_k(x)^2
+/// with l_k the Lagrange polynomials of the points.
 inline void extrapolate_hermite(const std::deque<CurvePoint>& points, double parameter,
                                 std::vector<double>& out) {
   const std::size_t count = points.size() < 3 ? points.size() : 3;
   const std::size_t first = points.size() - count;
-  // Newton's divided differences with every node doubled
-  std::array<double, 6> node{};
-  for (std::size_t k = 0; k < count; ++k)
-    node[2 * k] = node[2 * k + 1] = points[first + k].parameter;
-  const std::size_t n = 2 * count;
-  const std::size_t size = points.back().value.size();
-  out.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    std::array<double, 6> d{};
-    for (std::size_t k = 0; k < n; ++k) d[k] = points[first + k / 2].value[i];
-    for (std::size_t k = n - 1; k > 0; --k)
-      d[k] =
-          k % 2 == 1 ? points[first + k / 2].slope[i] : (d[k] - d[k - 1]) / (node[k] - node[k - 1]);
-    for (std::size_t order = 2; order < n; ++order)
-      for (std::size_t k = n - 1; k >= order; --k)
-        d[k] = (d[k] - d[k - 1]) / (node[k] - node[k - order]);
-    double v = d[n - 1];
-    for (std::size_t k = n - 1; k-- > 0;) v = v * (parameter - node[k]) + d[k];
-    out[i] = v;
+  out.assign(points.back().value.size(), 0.0);
+  for (std::size_t k = first; k < points.size(); ++k) {
+    const double here = points[k].parameter;
+    double lagrange = 1.0;
+    double slope = 0.0;  // of it, at its own point
+    for (std::size_t j = first; j < points.size(); ++j) {
+      if (j == k) continue;
+      lagrange *= (parameter - points[j].parameter) / (here - points[j].parameter);
+      slope += 1.0 / (here - points[j].parameter);
+    }
+    const double square = lagrange * lagrange;
+    const double of_value = (1.0 - 2.0 * slope * (parameter - here)) * square;
+    const double of_slope = (parameter - here) * square;
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] += of_value * points[k].value[i] + of_slope * points[k].slope[i];
   }
 }
 

@@ -33,7 +33,9 @@ TEST(HostileFile, MissingFile) {
   expect_refused(read_model("/nonexistent/model.toml"), {}, "No such file");
 }
 
-TEST(HostileFile, Directory) { expect_refused(read_model(fs::temp_directory_path()), {}, "directory"); }
+TEST(HostileFile, Directory) {
+  expect_refused(read_model(fs::temp_directory_path()), {}, "directory");
+}
 
 TEST(HostileFile, TenMegabytes) {
   const fs::path file = fs::temp_directory_path() / "flexura_ten_megabytes.toml";
@@ -48,11 +50,15 @@ TEST(HostileFile, EndlessDevice) {
 
 TEST(HostileFile, Binary) {
   using namespace std::string_literals;
-  expect_refused(read_model_text("flexura = 1\n\x7F""ELF\0\0"s), {2, 5}, "binary file");
+  expect_refused(read_model_text("flexura = 1\n\x7F"
+                                 "ELF\0\0"s),
+                 {2, 5}, "binary file");
   expect_refused(read_model_text("title = \"caf\xE9\"\n"), {1, 13}, "not UTF-8 text (byte 0xe9");
-  expect_refused(read_model_text("\xFF\xFE" "f\0l\0"s), {}, "UTF-16");
-  expect_refused(read_model_text("a = \"\xED\xA0\x80\"\n"), {1, 6}, "not UTF-8");   // a surrogate
-  expect_refused(read_model_text("a = \"\xC0\xAF\"\n"), {1, 6}, "not UTF-8");       // overlong
+  expect_refused(read_model_text("\xFF\xFE"
+                                 "f\0l\0"s),
+                 {}, "UTF-16");
+  expect_refused(read_model_text("a = \"\xED\xA0\x80\"\n"), {1, 6}, "not UTF-8");  // a surrogate
+  expect_refused(read_model_text("a = \"\xC0\xAF\"\n"), {1, 6}, "not UTF-8");      // overlong
   expect_refused(read_model_text("a = \"\xF4\x90\x80\x80\"\n"), {1, 6}, "not UTF-8");
 }
 

@@ -62,7 +62,7 @@ TEST_P(Malformed, SaysWhatIsWrongAndWhere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Malformed, ::testing::ValuesIn(malformed_files()),
-                         [](const auto& info) { return info.param.stem().string(); });
+                         [](const auto& file) { return file.param.stem().string(); });
 
 TEST(MalformedFiles, AreManyEnough) { EXPECT_GE(malformed_files().size(), 100u); }
 

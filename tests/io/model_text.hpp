@@ -15,8 +15,7 @@ struct ModelText {
   std::string parameters;
   std::string materials = "[materials.steel]\nyoungs_modulus = 210e3\npoissons_ratio = 0.3\n";
   std::string sections = "[sections.strip]\nrectangle = { thickness = 0.1, width = 1.0 }\n";
-  std::string bodies =
-      "[bodies.ground]\nfixed = true\n[bodies.stage]\npoints = { P = [10, 5] }\n";
+  std::string bodies = "[bodies.ground]\nfixed = true\n[bodies.stage]\npoints = { P = [10, 5] }\n";
   std::string axis = "{ line = [[0, 0], [10, 0]] }";
   std::string studies;
 

@@ -67,9 +67,9 @@ TEST(Units, Angles) {
 
 TEST(Units, WaysToWriteAProduct) {
   const UnitSystem mm = make_system("mm", "N", "s");
-  for (const char* text : {"3 N mm", "3 N*mm", "3 N * mm", "3N mm", "3e3 N um", "3 N/mm^-1",
-                           "3e-3 N m", "3e-3 J", "3e-3 kg m^2 s^-2", "3e-3 kg*m2/s2",
-                           "3e-3 kg m\u00b2/s\u00b2", "3e-3 kg m m/s/s"}) {
+  for (const char* text :
+       {"3 N mm", "3 N*mm", "3 N * mm", "3N mm", "3e3 N um", "3 N/mm^-1", "3e-3 N m", "3e-3 J",
+        "3e-3 kg m^2 s^-2", "3e-3 kg*m2/s2", "3e-3 kg m\u00b2/s\u00b2", "3e-3 kg m m/s/s"}) {
     EXPECT_EQ(value(mm, text), 3.0) << text;
     EXPECT_EQ(read_quantity(text).quantity->unit.dimension, dimensions::moment) << text;
   }
@@ -81,9 +81,10 @@ TEST(Units, PoundIsAMassPoundForceAForce) {
 }
 
 TEST(Units, WhatIsNoQuantity) {
-  for (const char* text : {"", " ", "mm", "nan mm", "inf N", "- mm", "1..2 mm", "1 2 mm", "0x10 mm",
-                           "1,5 mm", "1 mm^0", "1 mm^12", "1 mm^", "1 mm*", "1 /mm", "1 mm//s",
-                           "1 (mm)", "1 mm)", "1 qm", "1 mmm", "1", "1e5"}) {
+  for (const char* text :
+       {"",        " ",      "mm",     "nan mm",  "inf N", "- mm",  "1..2 mm", "1 2 mm",
+        "0x10 mm", "1,5 mm", "1 mm^0", "1 mm^12", "1 mm^", "1 mm*", "1 /mm",   "1 mm//s",
+        "1 (mm)",  "1 mm)",  "1 qm",   "1 mmm",   "1",     "1e5"}) {
     const QuantityReading reading = read_quantity(text);
     EXPECT_FALSE(reading.quantity.has_value()) << text;
     EXPECT_FALSE(reading.error.empty()) << text;
