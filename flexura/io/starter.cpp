@@ -3,7 +3,7 @@
 namespace flexura {
 
 std::string starter_model() {
-  return R"(# A Flexura model: a stage on two parallel leaf flexures. Change it to your own mechanism.
+  return R"(# A Flexura model: a stage on two parallel leaf flexures. Make it your own.
 #
 #   flexura check FILE     every mistake with its line and column
 #   flexura run FILE       results as tables, pictures and report.html

@@ -85,7 +85,7 @@ TEST(ArcChain, LoadsAndModelings) {
   const auto& shape = std::get<InverseStudy>(model.studies[9].kind);
   ASSERT_EQ(shape.relative.size(), 3u);
   EXPECT_EQ(shape.relative[1].flexure, 1u);
-  EXPECT_DOUBLE_EQ(shape.relative[1].rotation, -pi / 18.0);
+  EXPECT_DOUBLE_EQ(shape.relative[1].rotation, -pi / 36.0);
   EXPECT_EQ(shape.relative[1].at, RelativeDisplacement::At::centre);
 }
 

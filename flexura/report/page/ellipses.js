@@ -73,13 +73,14 @@ const Ellipses = (() => {
   }
 
   function drawPoles(view, poles) {
-    const known = poles.filter((p) => p.pole).map((p) => ({ ...p, at: view.project(p.pole) }));
+    const known = poles.map((p, k) => ({ ...p, number: k + 1 })).filter((p) => p.pole)
+      .map((p) => ({ ...p, at: view.project(p.pole) }));
     view.paths('poles', known.flatMap(({ at: [x, y] }) => [
       { d: Shapes.circle([x, y], 7), class: 'pole' },
       { d: `M${x - 11},${y}h22M${x},${y - 11}v22`, class: 'pole' },
     ]));
-    view.texts('pole-names', known.map(({ at: [x, y], load }) => ({
-      at: [x + 13, y + 17], text: `pole of the load on ${load}`,
+    view.texts('pole-names', known.map(({ at: [x, y], number }) => ({
+      at: [x + 13, y + 17], text: `pole ${number}`,
     })));
   }
 

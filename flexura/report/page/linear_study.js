@@ -46,9 +46,11 @@ const LinearStudy = (() => {
     Ellipses.drawAll(view, shown, chosen);
     if (chosen) Ellipses.drawChosen(view, chosen);
     Ellipses.drawPoles(view, poles);
-    const loads = study.loads.map((load) => ({ load, on: Mechanism.find(load.on) }))
-      .filter(({ on }) => on).map(({ load, on }) => (
-        Mechanism.loadItems(view, on.place, load.force, load.moment, 1)));
+    // Several loads often share a point: numbers, explained in the table, keep them apart.
+    const loads = study.loads
+      .map((load, k) => ({ load, label: `${k + 1}`, on: Mechanism.find(load.on) }))
+      .filter(({ on }) => on).map(({ load, label, on }) => (
+        Mechanism.loadItems(view, on.place, load.force, load.moment, 1, label)));
     view.paths('loads', loads.flatMap((l) => l.items));
     view.texts('load-names', loads.flatMap((l) => l.texts));
   }
@@ -161,7 +163,7 @@ const LinearStudy = (() => {
     section.append('h2').text('Poles of the loads');
     const vector = (v) => `(${v.map((x) => Numbers.short(x, 5)).join(', ')})`;
     Tables.make(section.node(), [
-      { title: 'Load on', left: true, text: (p) => p.load },
+      { title: 'Load on', left: true, text: (p) => `${poles.indexOf(p) + 1}: ${p.load}` },
       { title: 'Force', unit: force, text: (p) => vector(p.force) },
       { title: 'Moment', unit: `${force}·${length}`, text: (p) => Numbers.short(p.moment) },
       { title: 'Displacement', unit: length, text: (p) => vector(p.displacement) },

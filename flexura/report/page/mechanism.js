@@ -87,7 +87,8 @@ const Mechanism = (() => {
     }
     return null;
   }
-  // Arrows for a force and an arc for a moment at `place`; `share` (0 to 1) scales the length.
+  // Arrows for a force and an arc for a moment at `place`; `share` (0 to 1) scales the length. A text
+  // as `label` stands at the tip in place of the size; false leaves both out.
   function loadItems(view, place, force, moment, share, label) {
     const p = view.project(place);
     const items = [];
@@ -103,7 +104,11 @@ const Mechanism = (() => {
       // Beside the middle of the shaft, on its upper side.
       const across = Math.abs(Math.cos(angle)) > 0.5 ? 9 : 14;
       const side = Math.cos(angle) >= 0 ? 1 : -1;
-      texts.push({
+      texts.push(typeof label === 'string' ? {
+        at: [tip[0] + 9 * Math.cos(angle), tip[1] + 9 * Math.sin(angle) + 4],
+        anchor: 'middle',
+        text: label,
+      } : {
         at: [p[0] + 0.6 * length * Math.cos(angle) + side * across * Math.sin(angle),
           p[1] + 0.6 * length * Math.sin(angle) - side * across * Math.cos(angle)],
         anchor: Math.abs(Math.cos(angle)) > 0.5 ? 'middle' : 'start',
@@ -116,7 +121,8 @@ const Mechanism = (() => {
       texts.push({
         at: [p[0], p[1] + 36],
         anchor: 'middle',
-        text: `${Numbers.short(Math.abs(moment), 3)} ${State.units.force}·${State.units.length}`,
+        text: typeof label === 'string' ? label
+          : `${Numbers.short(Math.abs(moment), 3)} ${State.units.force}·${State.units.length}`,
       });
     }
     return { items, texts: label === false ? [] : texts };
