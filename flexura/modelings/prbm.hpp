@@ -22,8 +22,8 @@ struct HowellParameters {
 };
 /// n is clamped to the range of the fits, -5 to 10.
 HowellParameters howell_parameters(double load_ratio);
-/// For a moment at the end alone. The usual 1.5164 is the spring in EI/L, gamma K_theta, and not
-/// K_theta, as some write: only so is the end's angle that of the beam, M L/EI, at c_theta = 1.5164.
+/// For a moment at the end alone. The usual 1.5164 is the spring in EI/L, gamma K_theta, not
+/// K_theta as some write: only so does the end turn by M L/EI, at c_theta = 1.5164.
 HowellParameters howell_end_moment();
 
 /// The chain of the settings. `load_ratio` is used where Howell's model follows the load; absent,

@@ -112,8 +112,10 @@ bool ArcLength<Problem>::step(const State& from, double size, State& to) {
   return false;
 }
 
-/// The arc length past `before` at which the load factor stands still, by bisection with regula
-/// falsi on the tangent's load component.
+/// The arc length past `before` at which the load factor stands still, by regula falsi on the
+/// tangent's load component, with bisection every third time. `limit`, the end of that stretch,
+/// becomes the state nearest to it. At the point itself the equations are singular: failing there
+/// is as near as it gets, and near it the load factor is right to the square of the distance.
 template <LoadedProblem Problem>
 bool ArcLength<Problem>::locate(const State& before, double size, State& limit) {
   double low = 0.0, high = size;
@@ -122,8 +124,7 @@ bool ArcLength<Problem>::locate(const State& before, double size, State& limit) 
     double middle = low + (high - low) * at_low / (at_low - at_high);
     if (k % 3 == 2) middle = 0.5 * (low + high);
     State trial;
-    // at the point itself the tangent is singular: as near as that is near enough
-    if (!step(before, middle, trial)) return k > 3;
+    if (!step(before, middle, trial)) break;
     if (trial.tangent_load > 0.0) {
       low = middle;
       at_low = trial.tangent_load;
@@ -131,10 +132,10 @@ bool ArcLength<Problem>::locate(const State& before, double size, State& limit) 
       high = middle;
       at_high = trial.tangent_load;
     }
-    limit = std::move(trial);
+    if (std::abs(trial.tangent_load) < std::abs(limit.tangent_load)) limit = std::move(trial);
     if (std::abs(limit.tangent_load) < 1e-9) break;
   }
-  return true;
+  return std::abs(limit.tangent_load) < 1e-4;
 }
 
 template <LoadedProblem Problem>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "flexura/modelings/make_system.hpp"
 #include "flexura/studies/error_estimate.hpp"
@@ -14,6 +15,12 @@ constexpr int most_refinements = 6;
 constexpr int most_ratio_updates = 40;
 
 double algebraic_tolerance(double tolerance) { return std::clamp(1e-2 * tolerance, 1e-13, 1e-9); }
+
+/// To three digits, so that the number in a message is still safe to use.
+double rounded_down(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-300))) - 2.0);
+  return std::floor(value / unit) * unit;
+}
 
 bool chooses_modes(const ModelingSettings& settings) {
   const auto* exact = std::get_if<ExactSettings>(&settings.kind);
@@ -185,8 +192,8 @@ void PathTracer::stop(const SteppingSummary& summary) {
         {"limit point", summary.load_factor, path_.systems.size() - 1, summary.limit_state, 1});
     path_.termination.reason = fmt::format(
         "limit point at load factor {0:.6g}: along this path the mechanism carries no more of its "
-        "loads, and snaps away. Scale the loads by {0:.4g} or less",
-        summary.load_factor);
+        "loads, and snaps away. Scale the loads by {1:.4g} or less",
+        summary.load_factor, rounded_down(summary.load_factor));
     return;
   }
   path_.termination.reason = fmt::format(
