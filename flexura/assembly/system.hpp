@@ -114,7 +114,8 @@ class System {
   Eigen::Matrix3d body_compliance(std::size_t body) const;
   /// Force x, y and moment about its centre that a body needs to stay at its pose.
   Eigen::Vector3d reaction(std::size_t body, const std::vector<double>& z) const;
-  /// Rotates small: the linearised system moves points by u + rotation x arm.
+  double mean_length() const { return length_; }
+  /// The linearised system moves points by u + rotation x arm.
   bool linearised() const { return layout_.linearised; }
 
   const SystemLayout& layout() const { return layout_; }

@@ -1,5 +1,6 @@
 #include "flexura/studies/error_estimate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "flexura/solvers/newton.hpp"
@@ -17,7 +18,7 @@ bool ErrorEstimate::solve(const System& system, const std::vector<double>& z, in
     ++iterations;
     if (!finer_->linearize(z_)) return false;
     const double size = finer_->newton_step(step_);
-    if (!(size < 2.0 * before) || size > 1.0) return false;
+    if (!(size < std::max(2.0 * before, 1e-13)) || size > 1.0) return false;
     add_scaled(z_, 1.0, step_);
     distances.push_back(finer_->distance(z_, start));
     if (k == 1) first = size;

@@ -10,14 +10,27 @@
 namespace flexura {
 namespace {
 
-/// Points that hardly move would turn rounding into a relative difference.
+// Points that hardly move would turn rounding into a relative difference.
 constexpr double hardly_moves = 1e-6;  // of the largest displacement of any point
+constexpr double stands_still = 1e-9;  // of the mechanism's size
 
 std::vector<Vec2> points_of(const PathState& state) {
   if (!state.points.empty()) return state.points;
   std::vector<Vec2> centres;
   for (const Pose& body : state.bodies) centres.push_back(body.position);
   return centres;
+}
+
+/// The diagonal of the box around all flexures as drawn.
+double mechanism_size(const PathState& start) {
+  Vec2 low{INFINITY, INFINITY};
+  Vec2 high{-INFINITY, -INFINITY};
+  for (const auto& axis : start.axes)
+    for (const Vec2 p : axis) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  return norm(high - low);
 }
 
 /// Largest displacement of every point over the path, floored.
@@ -31,7 +44,8 @@ std::vector<double> largest_displacements(const std::vector<PathState>& states) 
   }
   double most = 0.0;
   for (const double d : largest) most = std::max(most, d);
-  for (double& d : largest) d = std::max(d, hardly_moves * most);
+  const double floor = std::max(hardly_moves * most, stands_still * mechanism_size(states.front()));
+  for (double& d : largest) d = std::max(d, floor);
   return largest;
 }
 

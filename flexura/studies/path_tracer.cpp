@@ -168,7 +168,8 @@ bool PathTracer::is_accurate(const std::vector<double>& errors, const std::vecto
         std::max(largest_displacement_,
                  norm(system().moved_point(point.body, point.drawn, z) - point.drawn));
   const double largest = *std::max_element(errors.begin(), errors.end());
-  return largest <= 0.3 * settings_.tolerance * largest_displacement_;
+  const double rounding = 1e-11 * system().mean_length();
+  return largest <= std::max(0.3 * settings_.tolerance * largest_displacement_, rounding);
 }
 
 void PathTracer::record(const Stepping& stepping, double load_factor, std::vector<double> errors) {
