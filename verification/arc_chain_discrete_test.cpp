@@ -24,6 +24,10 @@ struct DiscreteCase {
   std::string table_name;
   ModelingSettings settings;
   std::string test_name;
+
+  friend void PrintTo(const DiscreteCase& discrete, std::ostream* out) {
+    *out << discrete.test_name;
+  }
 };
 
 std::vector<DiscreteCase> discrete_cases() {

@@ -22,6 +22,8 @@ struct HardCase {
   std::string name;
   double force;
   ModelingSettings modeling;
+
+  friend void PrintTo(const HardCase& hard, std::ostream* out) { *out << hard.name; }
 };
 
 std::vector<HardCase> hard_cases() {

@@ -19,6 +19,8 @@ struct PivotSet {
   std::string name;
   std::string theory;
   double length;
+
+  friend void PrintTo(const PivotSet& set, std::ostream* out) { *out << set.name; }
 };
 
 /// Base points (-+h, -h), tips (+-h, h), h = L/(2 sqrt 2); the body's centre is the crossing point.

@@ -7,6 +7,7 @@
 #include "flexura/assembly/two_port.hpp"
 #include "flexura/core/jet2.hpp"
 #include "flexura/core/ldlt.hpp"
+#include "flexura/core/symmetric_factor.hpp"
 
 namespace flexura {
 
@@ -36,7 +37,7 @@ struct AngleField {
   std::vector<double> stiffness;  ///< S, unknowns x unknowns, row-major
   Vec2 offset;
 
-  std::size_t scratch_size() const { return unknowns * (unknowns + 9); }
+  std::size_t scratch_size() const { return unknowns * (2 * unknowns + 9); }
 
   /// theta_g - theta0_g.
   double turn(std::size_t point, const double* y) const {
@@ -68,7 +69,8 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
   double* __restrict columns = scratch;
   double* coupling = scratch + 4 * m;
   double* __restrict tangent = scratch + 8 * m;  // W_yy
-  double* column = scratch + (8 + m) * m;
+  double* factor = scratch + (8 + m) * m;
+  double* column = scratch + (8 + 2 * m) * m;
   std::fill(columns, columns + 4 * m, 0.0);
   std::copy(field.stiffness.begin(), field.stiffness.end(), tangent);
 
@@ -113,12 +115,15 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
   std::copy(columns, columns + 4 * m, coupling);
 
   const BandLayout layout = dense_layout(m);
-  const LdltInertia inertia = factorize_ldlt(tangent, layout, column);
-  solve_ldlt<4>(tangent, layout, columns);
-
+  std::copy(tangent, tangent + m * m, factor);
   TipResponse response;
+  const LdltInertia inertia = factorize_ldlt(factor, layout, column);
   response.negative = inertia.negative;
-  response.singular = inertia.singular;
+  if (inertia.weak)
+    response.singular = !solve_symmetric(tangent, layout, columns, response.negative);
+  else
+    solve_ldlt<4>(factor, layout, columns);
+
   response.strain_energy =
       bending + sum.value - load[0] * sum.gradient[1] - load[1] * sum.gradient[2];
   response.tip = {field.offset.x - sum.gradient[1], field.offset.y - sum.gradient[2], tip_rotation};

@@ -19,7 +19,7 @@ bool invert(const Eigen::Matrix3d& matrix, Eigen::Matrix3d& inverse, int& negati
   double column[3];
   const LdltInertia inertia = factorize_ldlt(a, dense_layout(3), column);
   negative = inertia.negative;
-  if (inertia.singular) return false;
+  if (inertia.weak) return false;
   const double d[3] = {std::abs(a[0]), std::abs(a[4]), std::abs(a[8])};
   if (!(*std::min_element(d, d + 3) > regular_flexibility * *std::max_element(d, d + 3)))
     return false;

@@ -7,9 +7,10 @@
 namespace flexura {
 
 /// What an L D L^T factorization found; negative pivots count negative eigenvalues (Sylvester).
+/// `weak` where a pivot was too small to divide by, with nothing after it factorized.
 struct LdltInertia {
   int negative = 0;
-  bool singular = false;
+  bool weak = false;
 };
 
 /// L D L^T without pivoting of a symmetric band matrix, in place. Entry (i, j), j <= i, is at
@@ -39,13 +40,15 @@ inline BandLayout band_layout(std::size_t n, std::size_t width) {
   return {n, width, width + 1, width, 1};
 }
 
+/// Of the largest entry below it. Newton corrects the digits that a pivot above this loses.
+inline constexpr double weak_pivot = 1e-8;
+
 /// `column` is scratch for n doubles.
 inline LdltInertia factorize_ldlt(double* __restrict a, const BandLayout& layout,
                                   double* __restrict column) {
   LdltInertia inertia;
   for (std::size_t j = 0; j < layout.n; ++j) {
     const double pivot = layout.row(a, j)[j];
-    // rounding leaves about this much of a pivot that vanishes
     double largest = 0.0;
     if (pivot < 0.0) ++inertia.negative;
     const std::size_t end = std::min(layout.n, j + layout.width + 1);
@@ -53,8 +56,8 @@ inline LdltInertia factorize_ldlt(double* __restrict a, const BandLayout& layout
       column[i] = layout.row(a, i)[j];
       largest = std::max(largest, std::abs(column[i]));
     }
-    if (!(std::abs(pivot) > 1e-15 * largest) || pivot == 0.0) {
-      inertia.singular = true;
+    if (!(std::abs(pivot) > weak_pivot * largest) || pivot == 0.0) {
+      inertia.weak = true;
       return inertia;
     }
     const double inverse = 1.0 / pivot;

@@ -57,4 +57,24 @@ void SymmetricFactor::solve(Eigen::Ref<Eigen::VectorXd> b) const {
   dsytrs_("L", &n, &one, factor_.data(), &n, pivots_.data(), b.data(), &n, &info, 1);
 }
 
+bool solve_symmetric(const double* a, const BandLayout& layout, double* columns, int& negative) {
+  constexpr std::size_t largest_dense = 2000;
+  if (layout.n > largest_dense) return false;
+  const auto n = static_cast<Eigen::Index>(layout.n);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t i = 0; i < layout.n; ++i)
+    for (std::size_t j = i > layout.width ? i - layout.width : 0; j <= i; ++j)
+      dense(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = layout.row(a, i)[j];
+  SymmetricFactor factor;
+  if (!factor.factorize(dense) || factor.pivot_ratio() < 1e-15) return false;
+  negative = factor.negative();
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>> b(columns, n, 4);
+  for (Eigen::Index c = 0; c < 4; ++c) {
+    Eigen::VectorXd column = b.col(c);
+    factor.solve(column);
+    b.col(c) = column;
+  }
+  return true;
+}
+
 }  // namespace flexura

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "flexura/core/ldlt.hpp"
+
 namespace flexura {
 
 /// Bunch-Kaufman factorization (LAPACK dsytrf) of a dense symmetric indefinite matrix, with its
@@ -24,5 +26,10 @@ class SymmetricFactor {
   int negative_ = 0;
   double pivot_ratio_ = 0.0;
 };
+
+/// Solves with a symmetric band matrix (laid out as for factorize_ldlt, not factorized) for four
+/// interleaved right-hand sides by the pivoted factorization, as a dense matrix. False where it is
+/// singular or too large for that. Allocates; for the rare matrix that factorize_ldlt finds weak.
+bool solve_symmetric(const double* a, const BandLayout& layout, double* columns, int& negative);
 
 }  // namespace flexura

@@ -6,6 +6,7 @@
 
 #include "flexura/core/jet2.hpp"
 #include "flexura/core/ldlt.hpp"
+#include "flexura/core/symmetric_factor.hpp"
 #include "flexura/energy/reissner.hpp"
 #include "flexura/modelings/beam_common.hpp"
 #include "flexura/modelings/beam_mesh.hpp"
@@ -23,7 +24,9 @@ class BeamPort final : public TwoPort {
         chord_(flexure.axis.position(mesh_.length) - flexure.axis.position(0.0)) {}
 
   std::size_t internal_size() const override { return 3 * (mesh_.nodes() - 1); }
-  std::size_t scratch_size() const override { return internal_size() * (4 + width() + 1 + 1); }
+  std::size_t scratch_size() const override {
+    return internal_size() * (4 + 2 * (width() + 1) + 1);
+  }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
@@ -119,11 +122,16 @@ TipResponse BeamPort::linearize(const Eigen::Vector3d& load, const double* y,
     columns[4 * (last + c) + c + 1] = -lever[c];
   }
   const BandLayout layout = band_layout(m, width());
-  double* column = band + m * (width() + 1);
-  const LdltInertia inertia = factorize_ldlt(band, layout, column);
-  solve_ldlt<4>(band, layout, columns);
+  const std::size_t size = m * (width() + 1);
+  double* factor = band + size;
+  double* column = factor + size;
+  std::copy_n(band, size, factor);
+  const LdltInertia inertia = factorize_ldlt(factor, layout, column);
   response.negative = inertia.negative;
-  response.singular = inertia.singular;
+  if (inertia.weak)
+    response.singular = !solve_symmetric(band, layout, columns, response.negative);
+  else
+    solve_ldlt<4>(factor, layout, columns);
   response.tip << chord_.x, chord_.y, 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto row = static_cast<Eigen::Index>(c);

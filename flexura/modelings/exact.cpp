@@ -13,7 +13,7 @@
 namespace flexura {
 namespace {
 
-constexpr int more_modes = 4;   // by which the estimate's flexure is finer
+constexpr int more_modes = 4;  // by which the estimate's flexure is finer
 // Gauss points beyond one per mode: products of two modes and a smooth function of the angle.
 constexpr int more_points = 6;
 constexpr int most_modes = 20;  // per piece; beyond, pieces are halved instead
