@@ -10,7 +10,8 @@ struct SourcePosition {
   int line = 1;
   int column = 1;
 
-  friend auto operator<=>(const SourcePosition&, const SourcePosition&) = default;
+  // clang-tidy 14 takes the defaulted comparison for a null pointer
+  friend auto operator<=>(const SourcePosition&, const SourcePosition&) = default;  // NOLINT
 };
 
 /// One mistake in a model file: what was wrong, with the offending value and the nearest valid
