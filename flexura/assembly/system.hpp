@@ -73,7 +73,7 @@ class System {
     load_factor_ = other.load_factor_;
   }
 
-  /// Evaluates residual and tangent at z and factorizes. False where the tangent is singular or a
+  /// Evaluates residual and tangent at z and factorizes. False where a pivot is exactly zero or a
   /// number is not finite.
   bool linearize(const std::vector<double>& z);
   /// Newton step of the last linearization; returns its size: the largest change of a displacement
@@ -92,8 +92,9 @@ class System {
   /// stable. With follower loads only its parity is known (0 or 1).
   int unstable_directions() const;
   double strain_energy() const { return strain_energy_; }
-  /// Size of the smallest pivot over the largest, scaled unknowns: nearly zero, nearly singular.
-  double pivot_ratio() const { return pivot_ratio_; }
+  /// Whether the mechanism can move without resistance, to rounding. Meant for the unloaded state:
+  /// under load a flexure alone may be critical while the mechanism is not.
+  bool is_singular() const { return pivot_ratio_ < 1e-13; }
   /// The moving body that the softest direction of the tangent moves most.
   std::size_t softest_body() const;
 

@@ -8,7 +8,6 @@
 namespace flexura {
 namespace {
 
-constexpr double singular_pivot = 1e-14;      // of the largest, scaled unknowns
 constexpr double regular_flexibility = 1e-8;  // least over largest pivot, scaled
 
 /// Inverts a symmetric 3 x 3 matrix through L D L^T; false where its pivots say it is nearly
@@ -130,12 +129,12 @@ bool System::factorize() {
   if (!follower_) {
     const bool regular = factor_.factorize(k);
     pivot_ratio_ = factor_.pivot_ratio();
-    return regular && pivot_ratio_ > singular_pivot;
+    return regular;
   }
   lu_.compute(k);
   const Eigen::VectorXd pivots = lu_.matrixLU().diagonal().cwiseAbs();
   pivot_ratio_ = pivots.size() == 0 ? 1.0 : pivots.minCoeff() / pivots.maxCoeff();
-  return std::isfinite(pivot_ratio_) && pivot_ratio_ > singular_pivot;
+  return std::isfinite(pivot_ratio_) && pivot_ratio_ > 0.0;
 }
 
 void System::solve_scaled(Eigen::VectorXd& b) const {

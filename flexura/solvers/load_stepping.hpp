@@ -201,7 +201,7 @@ void LoadStepping<Problem>::locate_change(double from, double to, int after) {
   StabilityChange change{to, unstable_, after, {}};
   double low = from;
   double high = to;
-  while (high - low > 1e-9) {
+  while (high - low > 1e-11) {
     const double middle = 0.5 * (low + high);
     std::vector<double> z;
     extrapolate_hermite(points_, middle, z);

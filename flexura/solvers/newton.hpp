@@ -51,6 +51,10 @@ class Newton {
   bool advance(Problem& problem, NewtonSummary& summary);
   bool is_done(double size, double contraction) const;
 
+  /// Steps below this that do not shrink any more are rounding, amplified by a stiff and slender,
+  /// or nearly singular, mechanism.
+  static constexpr double rounding_floor = 1e-7;
+
   NewtonOptions options_;
   double curvature_ = 0.0;  // 0: not known yet
   double size_ = 0.0;
@@ -72,7 +76,10 @@ NewtonSummary Newton::solve(Problem& problem, std::vector<double>& z) {
   while (!is_done(size_, contraction)) {
     const double before = size_;
     if (summary.iterations >= options_.max_iterations || !std::isfinite(size_)) return summary;
-    if (!advance(problem, summary)) return summary;
+    if (!advance(problem, summary)) {
+      if (size_ > rounding_floor) return summary;
+      break;
+    }
     contraction = size_ / before;
     // above rounding only, and below the region where the rate is not quadratic yet
     if (size_ > 1e-12 && before < 0.1)
@@ -89,8 +96,7 @@ inline bool Newton::is_done(double size, double contraction) const {
   if (size <= options_.tolerance) return true;
   if (curvature_ > 0.0 && size < 1e-3 && 4.0 * curvature_ * size * size <= options_.tolerance)
     return true;
-  // the floor that rounding sets for stiff, slender mechanisms
-  return size < 1e-7 && contraction > 0.3;
+  return size < rounding_floor && contraction > 0.3;
 }
 
 /// One step, halved until the next one is not larger. Above half of the size of the first, a larger

@@ -48,7 +48,7 @@ LinearResult run_linear(const Model& model, const LinearStudy& study, Terminatio
   settings.axial = study.axial;
   settings.shear = study.shear;
   System system(make_layout(model, {}, settings));
-  if (!system.linearize(system.initial_state())) {
+  if (!system.linearize(system.initial_state()) || system.is_singular()) {
     termination = {Status::stopped,
                    fmt::format("the mechanism is singular: body '{}' can move without bending any "
                                "flexure, so it has no compliance. Hold it by another flexure, or "

@@ -72,7 +72,7 @@ class PathTracer {
 TracedPath PathTracer::run() {
   const int steps = options_.steps;
   Stepping stepping(system(), {algebraic_tolerance(settings_.tolerance), 1e-4});
-  if (!stepping.start(system().initial_state())) {
+  if (!stepping.start(system().initial_state()) || system().is_singular()) {
     path_.termination = singular_start();
     return std::move(path_);
   }

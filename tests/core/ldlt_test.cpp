@@ -40,7 +40,7 @@ void expect_solves(const Eigen::MatrixXd& a, const BandLayout& layout) {
   std::vector<double> entries = store(a, layout);
   std::vector<double> scratch(layout.n);
   const LdltInertia inertia = factorize_ldlt(entries.data(), layout, scratch.data());
-  EXPECT_FALSE(inertia.singular);
+  EXPECT_FALSE(inertia.weak);
   EXPECT_EQ(inertia.negative, negative_eigenvalues(a));
 
   const auto n = static_cast<Eigen::Index>(layout.n);
@@ -82,20 +82,25 @@ TEST(LdltInertia, CountsEveryMixOfSigns) {
   }
 }
 
-TEST(LdltSingular, AVanishingPivotIsReported) {
+/// Singular or merely in need of pivoting: either way the caller must do something else.
+TEST(LdltWeak, AVanishingPivotIsReported) {
   Eigen::Matrix3d a;
   a << 2.0, 1.0, 3.0, 1.0, 0.5, 1.5, 3.0, 1.5, 9.0;  // second row is half of the first
   std::vector<double> entries = store(a, dense_layout(3));
   double scratch[3];
-  EXPECT_TRUE(factorize_ldlt(entries.data(), dense_layout(3), scratch).singular);
+  EXPECT_TRUE(factorize_ldlt(entries.data(), dense_layout(3), scratch).weak);
+  Eigen::Matrix3d saddle;
+  saddle << 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 2.0;
+  entries = store(saddle, dense_layout(3));
+  EXPECT_TRUE(factorize_ldlt(entries.data(), dense_layout(3), scratch).weak);
   std::vector<double> zero(9, 0.0);
-  EXPECT_TRUE(factorize_ldlt(zero.data(), dense_layout(3), scratch).singular);
+  EXPECT_TRUE(factorize_ldlt(zero.data(), dense_layout(3), scratch).weak);
   std::vector<double> nan(9, NAN);
-  EXPECT_TRUE(factorize_ldlt(nan.data(), dense_layout(3), scratch).singular);
+  EXPECT_TRUE(factorize_ldlt(nan.data(), dense_layout(3), scratch).weak);
 }
 
-TEST(LdltSingular, AnEmptyMatrixIsRegular) {
-  EXPECT_FALSE(factorize_ldlt(nullptr, dense_layout(0), nullptr).singular);
+TEST(LdltWeak, AnEmptyMatrixIsRegular) {
+  EXPECT_FALSE(factorize_ldlt(nullptr, dense_layout(0), nullptr).weak);
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ TEST_P(Rules, NodesAscendSymmetricallyWithPositiveWeights) {
       EXPECT_GT(rule->weights[k], 0.0);
       EXPECT_NEAR(rule->nodes[k], -rule->nodes[n - 1 - k], 2e-16);
       EXPECT_NEAR(rule->weights[k], rule->weights[n - 1 - k], 2e-16);
-      if (k > 0) EXPECT_GT(rule->nodes[k], rule->nodes[k - 1]);
+      if (k == 0) continue;
+      EXPECT_GT(rule->nodes[k], rule->nodes[k - 1]);
     }
   }
 }
@@ -74,8 +75,8 @@ TEST(Quadrature, LegendrePolynomialsMatchTheirFormulas) {
   evaluate_legendre(x, p);
   EXPECT_EQ(p[0], 1.0);
   EXPECT_EQ(p[1], x);
-  EXPECT_NEAR(p[2], 0.5 * (3 * x * x - 1), 1e-16);
-  EXPECT_NEAR(p[3], 0.5 * (5 * x * x * x - 3 * x), 1e-16);
+  EXPECT_NEAR(p[2], 0.5 * (3 * x * x - 1), 1e-15);
+  EXPECT_NEAR(p[3], 0.5 * (5 * x * x * x - 3 * x), 1e-15);
   EXPECT_NEAR(p[4], (35 * std::pow(x, 4) - 30 * x * x + 3) / 8, 1e-15);
 }
 

@@ -3,7 +3,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <vector>
 
+#include "flexura/core/ldlt.hpp"
 #include "flexura/core/symmetric_factor.hpp"
 
 namespace flexura {
@@ -73,6 +75,28 @@ TEST(SymmetricFactor, SaysHowNearlySingular) {
   EXPECT_NEAR(factor.pivot_ratio(), 1e-9, 1e-20);
   nearly(1, 1) = NAN;
   EXPECT_FALSE(factor.factorize(nearly));
+}
+
+/// What takes over where a band has a pivot too weak to divide by: here, every first one vanishes.
+TEST(SolveSymmetric, BandsThatNeedPivoting) {
+  const BandLayout layout = band_layout(9, 2);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(9, 9);
+  for (int i = 0; i < 9; ++i)
+    for (int j = std::max(0, i - 2); j < i; ++j) a(i, j) = a(j, i) = 1.0 + 0.1 * i - 0.3 * j;
+  std::vector<double> band(9 * 3 + 2, NAN);
+  for (std::size_t i = 0; i < 9; ++i)
+    for (std::size_t j = i > 2 ? i - 2 : 0; j <= i; ++j)
+      layout.row(band.data(), i)[j] =
+          a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  using Columns = Eigen::Matrix<double, 9, 4, Eigen::RowMajor>;
+  const Columns b = Columns::Random();
+  Columns x = b;
+  int negative = -1;
+  ASSERT_TRUE(solve_symmetric(band.data(), layout, x.data(), negative));
+  EXPECT_EQ(negative, negative_eigenvalues(a));
+  EXPECT_LT((a * x - b).cwiseAbs().maxCoeff(), 1e-12);
+  const std::vector<double> zero(29, 0.0);
+  EXPECT_FALSE(solve_symmetric(zero.data(), layout, x.data(), negative));
 }
 
 TEST(SymmetricFactor, NothingToFactorizeIsRegular) {
