@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -95,8 +96,9 @@ class System {
   /// Whether the mechanism can move without resistance, to rounding. Meant for the unloaded state:
   /// under load a flexure alone may be critical while the mechanism is not.
   bool is_singular() const { return pivot_ratio_ < 1e-13; }
-  /// The moving body that the softest direction of the tangent moves most.
-  std::size_t softest_body() const;
+  /// The moving body that the softest direction of the tangent moves most; absent where that
+  /// direction moves none, but shifts loads between flexures that cannot stretch.
+  std::optional<std::size_t> softest_body() const;
 
   Pose pose(std::size_t body, const std::vector<double>& z) const;
   /// Where a point of the body, given as drawn, has gone.

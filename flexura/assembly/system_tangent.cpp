@@ -202,7 +202,7 @@ int System::unstable_directions() const {
   return (sign + eliminated_negative_ + closures) % 2;
 }
 
-std::size_t System::softest_body() const {
+std::optional<std::size_t> System::softest_body() const {
   // A few steps of inverse iteration; the factors exist even when they are nearly singular.
   Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(reduced_, 1.0, 2.0);
   for (int k = 0; k < 3; ++k) {
@@ -213,8 +213,10 @@ std::size_t System::softest_body() const {
       factor_.solve(v);
     if (!v.allFinite()) break;
   }
-  std::size_t softest = 0;
-  double largest = -1.0;
+  const auto moving = static_cast<Eigen::Index>(moving_);
+  const double shifted = reduced_ > moving ? v.tail(reduced_ - moving).cwiseAbs().maxCoeff() : 0.0;
+  std::optional<std::size_t> softest;
+  double largest = 1e-6 * shifted;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (bodies_[b].position < 0) continue;
     double motion = v.segment<2>(bodies_[b].position).norm();

@@ -71,6 +71,7 @@ class LoadStepping {
 
   bool try_step(double to);
   bool goes_on(const std::vector<double>& z) const;
+  bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
   bool work_is_smooth(double from, double to, const Energy& now) const;
   void accept(double load_factor, std::vector<double> z, const Energy& energy);
   void locate_change(double from, double to, int after);
@@ -145,7 +146,9 @@ bool LoadStepping<Problem>::try_step(double to) {
   const Energy energy = energy_at(z, slope_);
   // where nothing moves but by rounding, directions and work mean nothing
   const bool still = moved < 1e-7;
-  if (!still && !(goes_on(z) && work_is_smooth(from, to, energy))) return false;
+  if (!still &&
+      !(goes_on(z) && work_is_smooth(from, to, energy) && middle_fits(to, z, moved, unstable)))
+    return false;
   if (unstable != unstable_) {
     if (to - from > 0.01) return false;
     locate_change(from, to, unstable);
@@ -171,6 +174,27 @@ bool LoadStepping<Problem>::goes_on(const std::vector<double>& z) const {
   return heads_there(last.slope) && heads_there(slope_);
 }
 
+/// Where slopes at both ends of a step differ much, the path may have turned off in between: then
+/// the middle of the cubic through both ends must nearly be an equilibrium too.
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::middle_fits(double to, const std::vector<double>& z, double moved,
+                                        int unstable) {
+  const CurvePoint& last = points_.back();
+  const double h = to - last.parameter;
+  std::vector<double> bend = slope_;
+  add_scaled(bend, -1.0, last.slope);
+  const double change = h * std::sqrt(problem_->inner(bend, bend));
+  if (change < 0.3 * moved) return true;
+  std::vector<double> middle;
+  extrapolate_hermite({last, {to, z, slope_}}, last.parameter + 0.5 * h, middle);
+  problem_->set_load_factor(last.parameter + 0.5 * h);
+  ++iterations_;
+  if (!problem_->linearize(middle)) return false;
+  std::vector<double> correction;
+  const int here = problem_->unstable_directions();
+  return problem_->newton_step(correction) < 0.1 * moved && (here == unstable_ || here == unstable);
+}
+
 /// Along one smooth path of a conservative system, d(strain energy) = load factor d(displacement of
 /// the loads), so the gain is [load factor * displacement] less the integral of the displacement,
 /// here of its cubic Hermite interpolant. A jump to another branch breaks this.
@@ -191,6 +215,7 @@ void LoadStepping<Problem>::accept(double load_factor, std::vector<double> z,
                                    const Energy& energy) {
   ++steps_;
   energy_ = energy;
+  problem_->set_load_factor(load_factor);
   if (points_.size() == 3) points_.pop_front();
   points_.push_back({load_factor, std::move(z), slope_});
 }

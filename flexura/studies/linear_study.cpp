@@ -1,13 +1,12 @@
 #include "flexura/studies/linear_study.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "flexura/assembly/system.hpp"
 #include "flexura/modelings/compliance.hpp"
 #include "flexura/modelings/ellipse.hpp"
 #include "flexura/modelings/make_system.hpp"
+#include "flexura/studies/singular_mechanism.hpp"
 
 namespace flexura {
 namespace {
@@ -49,11 +48,7 @@ LinearResult run_linear(const Model& model, const LinearStudy& study, Terminatio
   settings.shear = study.shear;
   System system(make_layout(model, {}, settings));
   if (!system.linearize(system.initial_state()) || system.is_singular()) {
-    termination = {Status::stopped,
-                   fmt::format("the mechanism is singular: body '{}' can move without bending any "
-                               "flexure, so it has no compliance. Hold it by another flexure, or "
-                               "pin fewer ends",
-                               model.bodies[system.softest_body()].name)};
+    termination = {Status::stopped, describe_singular(model, system.softest_body())};
     return result;
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

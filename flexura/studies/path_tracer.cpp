@@ -7,6 +7,7 @@
 
 #include "flexura/modelings/make_system.hpp"
 #include "flexura/studies/error_estimate.hpp"
+#include "flexura/studies/singular_mechanism.hpp"
 
 namespace flexura {
 namespace {
@@ -205,11 +206,7 @@ void PathTracer::stop(const SteppingSummary& summary) {
 }
 
 Termination PathTracer::singular_start() {
-  const std::string& body = model_.bodies[system().softest_body()].name;
-  return {Status::stopped,
-          fmt::format("the unloaded mechanism is singular: body '{}' can move without bending any "
-                      "flexure. Hold it by another flexure, or pin fewer ends",
-                      body)};
+  return {Status::stopped, describe_singular(model_, system().softest_body())};
 }
 
 }  // namespace

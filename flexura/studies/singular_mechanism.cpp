@@ -1,0 +1,20 @@
+#include "flexura/studies/singular_mechanism.hpp"
+
+#include <fmt/format.h>
+
+namespace flexura {
+
+std::string describe_singular(const Model& model, std::optional<std::size_t> softest_body) {
+  if (!softest_body)
+    return "the mechanism is over-constrained: some flexures hold the same displacement without "
+           "being "
+           "able to stretch, so how they share a load is open. Allow axial strain (axial = true, "
+           "and "
+           "not prbm for straight flexures side by side)";
+  return fmt::format(
+      "the unloaded mechanism is singular: body '{}' can move without bending any "
+      "flexure. Hold it by another flexure, or pin fewer ends",
+      model.bodies[*softest_body].name);
+}
+
+}  // namespace flexura
