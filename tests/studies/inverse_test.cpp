@@ -148,9 +148,9 @@ TEST(InverseImpossible, SaysThatAFlexureCannotFollow) {
 
 /// A cancelled study keeps what it has.
 TEST(InverseCancelled, KeepsTheStatesSoFar) {
-  const Mechanism single = single_flexure(LineAxis{{0.0, 0.0}, {10.0, 0.0}});
+  const Mechanism single = single_flexure(ArcAxis{{0.0, 3.0}, 3.0, -0.5 * std::numbers::pi, 2.4});
   InverseStudy study;
-  study.relative = {{0, {-0.5, 3.0}, 0.4, At::end}};
+  study.relative = {{0, {-0.5, 0.4}, 0.4, At::end}};
   study.steps = 10;
   const ModelingPath path =
       run_inverse(single, study, exact_modes(10), [](double factor) { return factor < 0.45; });
