@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <tuple>
 
@@ -53,7 +52,8 @@ TEST_P(ArcChainDiscrete, PathMatchesTheTable) {
     const auto step = static_cast<std::size_t>(table.number(row, "step"));
     const Vec2 e{table.number(row, "xE_mm"), table.number(row, "yE_mm")};
     place = std::max(place, norm(point_in(path, step, 3, point_e) - e) / norm(e));
-    turn = std::max(turn, std::abs(pose_in(path, step, 3).rotation - table.number(row, "rot4_rad")));
+    turn =
+        std::max(turn, std::abs(pose_in(path, step, 3).rotation - table.number(row, "rot4_rad")));
   }
   note_measured("place", place);
   note_measured("rotation", turn);
@@ -66,8 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Verification, ArcChainDiscrete,
                                                               "LC2_minus"),
                                             ::testing::ValuesIn(discrete_cases())),
                          [](const auto& test) {
-                           return std::get<0>(test.param) + "_" +
-                                  std::get<1>(test.param).test_name;
+                           return std::get<0>(test.param) + "_" + std::get<1>(test.param).test_name;
                          });
 
 /// Joints and springs of the equal-spring chain by its closed form (A_prbm3r_parameters.json, 16

@@ -1,7 +1,7 @@
 // The error estimate of a fixed number of modes against the true error, which is the distance from
 // the multiple-precision reference point: within 20 % wherever the truth is above what rounding
-// leaves (1e-11 mm on displacements of some 10 mm). The estimate is the distance to four more modes,
-// whose own error is smaller by orders of magnitude.
+// leaves (1e-11 mm on displacements of some 10 mm). The estimate is the distance to four more
+// modes, whose own error is smaller by orders of magnitude.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -88,8 +88,8 @@ StationErrors compare_stations(const ReferenceTable& table, const std::string& t
   return errors;
 }
 
-/// Moments inside converge at half the rate of the ends, whose error is what the tolerance is about:
-/// 1e-9 of the largest value, with as many modes as that takes.
+/// Moments inside converge at half the rate of the ends, whose error is what the tolerance is
+/// about: 1e-9 of the largest value, with as many modes as that takes.
 TEST_P(ArcChain, ExactSectionForcesMatchShooting) {
   const ReferenceTable table("A_" + load_name() + "_stations.csv");
   const TracedPath path =

@@ -1,8 +1,8 @@
 // Load case LC4 of the arc chain, along the direction of lesser compliance at E: nearly a
 // bifurcation, where a step that is too long lands on another equilibrium with a perfect residual.
 // Coarse and fine steps must end in one state, by every modeling. The end of LC4_minus by exact is
-// that of the multiple-precision continuation with bounded jumps (reference README.md), printed with
-// nine digits.
+// that of the multiple-precision continuation with bounded jumps (reference README.md), printed
+// with nine digits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ struct HardCase {
 
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> cases;
-  for (const ModelingSettings& modeling :
-       {exact(1e-10), exact_modes(12), beam(16, 1), beam(4, 4), scmbm_centre(), scmbm_end(), prbm()}) {
+  for (const ModelingSettings& modeling : {exact(1e-10), exact_modes(12), beam(16, 1), beam(4, 4),
+                                           scmbm_centre(), scmbm_end(), prbm()}) {
     std::string label = modeling.label;
     if (const auto* b = std::get_if<BeamSettings>(&modeling.kind))
       label += "_order_" + std::to_string(b->order);

@@ -91,8 +91,8 @@ TEST_P(ArcChainLinear, EllipseOfTheChain) {
   const double axes = std::max({relative(record.ellipse->weight, truth["w"]),
                                 relative(record.ellipse->major, truth["semi_axis_a"]),
                                 relative(record.ellipse->minor, truth["semi_axis_b"])});
-  const double angle = std::abs(std::remainder(
-      record.ellipse->orientation - number_of(truth["angle_of_a_axis_rad"]), M_PI));
+  const double angle = std::abs(
+      std::remainder(record.ellipse->orientation - number_of(truth["angle_of_a_axis_rad"]), M_PI));
   note_measured("matrix", matrix);
   note_measured("centre", centre);
   note_measured("axes", axes);
@@ -117,10 +117,11 @@ TEST_P(ArcChainLinear, AntipolarLineAndPrincipalCompliances) {
   const double compliances =
       std::max(relative(record.principal_compliances[0], truth["greater_single_point_compliance"]),
                relative(record.principal_compliances[1], truth["lesser"]));
-  const double directions = std::max(direction_error(record.principal_directions[0],
-                                                     number_of(truth["direction_greater_angle_rad"])),
-                                     direction_error(record.principal_directions[1],
-                                                     number_of(truth["direction_lesser_angle_rad"])));
+  const double directions =
+      std::max(direction_error(record.principal_directions[0],
+                               number_of(truth["direction_greater_angle_rad"])),
+               direction_error(record.principal_directions[1],
+                               number_of(truth["direction_lesser_angle_rad"])));
   note_measured("antipolar", antipolar);
   note_measured("compliances", compliances);
   note_measured("directions", directions);

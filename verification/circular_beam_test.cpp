@@ -52,8 +52,8 @@ TEST_P(CircularBeam, ComplianceMatchesCastigliano) {
   double worst = 0.0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      worst = std::max(worst, std::abs(found(i, j) - truth(i, j)) /
-                                  std::sqrt(truth(i, i) * truth(j, j)));
+      worst = std::max(worst,
+                       std::abs(found(i, j) - truth(i, j)) / std::sqrt(truth(i, i) * truth(j, j)));
   note_measured("worst", worst);
   EXPECT_LT(worst, 1e-13);
 }
@@ -91,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Verification, CircularBeam,
 /// The cantilever everyone knows: L^3/3EI, L^2/2EI, L/EI, and L/EA, L/GA_s.
 TEST(StraightBeam, ComplianceMatchesTheTextbook) {
   const Mechanism beam = cantilever({7.0, 3.0, 5.0}, 2.0);
-  const Eigen::Matrix3d found = compliance_matrix(
-      flexure_properties(beam, beam.model().flexures[0], true, true), {2.0, 0.0});
+  const Eigen::Matrix3d found =
+      compliance_matrix(flexure_properties(beam, beam.model().flexures[0], true, true), {2.0, 0.0});
   Eigen::Matrix3d truth;
   truth << 2.0 / 7.0, 0.0, 0.0, 0.0, 8.0 / 9.0 + 2.0 / 5.0, 4.0 / 6.0, 0.0, 4.0 / 6.0, 2.0 / 3.0;
   EXPECT_LT((found - truth).cwiseAbs().maxCoeff(), 1e-15);

@@ -50,8 +50,8 @@ TEST_P(LeeFrame, PathUpToTheLimitMatchesShooting) {
     const Vec2 u{table.number(row, "u_load_point(+right)"),
                  -table.number(row, "v_load_point(+down)")};
     place = std::max(place, norm(pose_in(path, 2, loaded).position - Vec2{24.0, 120.0} - u));
-    turn = std::max(turn, std::abs(pose_in(path, 2, corner).rotation -
-                                   table.number(row, "rot_corner")));
+    turn = std::max(turn,
+                    std::abs(pose_in(path, 2, corner).rotation - table.number(row, "rot_corner")));
     ++compared;
   }
   note_measured("place_over_length", place / 120.0);
@@ -65,8 +65,8 @@ TEST_P(LeeFrame, PathUpToTheLimitMatchesShooting) {
 TEST_P(LeeFrame, StopsAtTheLimitPoint) {
   const auto truth = read_reference_json("C_lee_frame_limits.json")[GetParam()]["extrema"][0];
   const double limit = number_of(truth["P"]);
-  const TracedPath path = trace(frame, {frame.load("loaded", {0.0, -2.0})},
-                                in_theory(exact(1e-10), GetParam()), 20);
+  const TracedPath path =
+      trace(frame, {frame.load("loaded", {0.0, -2.0})}, in_theory(exact(1e-10), GetParam()), 20);
   EXPECT_EQ(path.termination.status, Status::stopped);
   EXPECT_NE(path.termination.reason.find("limit point"), std::string::npos)
       << path.termination.reason;

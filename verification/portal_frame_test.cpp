@@ -47,8 +47,7 @@ Deviations compare(const ReferenceTable& table, const std::string& theory, const
   for (const std::size_t row : table.rows_where("theory", theory)) {
     const auto step = static_cast<std::size_t>(table.number(row, "step"));
     const TracedState& at = path.states.at(step);
-    const PathState state =
-        make_path_state(model, *path.systems[at.system], at.z, at.load_factor);
+    const PathState state = make_path_state(model, *path.systems[at.system], at.z, at.load_factor);
     deviations.corners.compare(state.bodies[0], {0.0, 0.7}, table, row,
                                {"ux_TL", "uy_TL", "rot_TL"});
     deviations.corners.compare(state.bodies[1], {0.4, 0.7}, table, row,
@@ -131,8 +130,7 @@ TEST(PortalFrameLinear, InitialSlopesMatchDirectStiffness) {
         trace(frame, {frame.load("left", {1.0, 0.0})}, in_theory(linear(), theory), 1);
     ASSERT_TRUE(path.termination.converged()) << path.termination.reason;
     const TracedState& at = path.states.back();
-    const PathState state =
-        make_path_state(frame, *path.systems[at.system], at.z, at.load_factor);
+    const PathState state = make_path_state(frame, *path.systems[at.system], at.z, at.load_factor);
     const double u = number_of(truth[theory]["du_dP"]);
     const double turn = number_of(truth[theory]["drot_dP"]);
     EXPECT_NEAR(state.mids[1].position.x - 0.2, u, 1e-12 * u);

@@ -203,20 +203,16 @@ int System::unstable_directions() const {
 }
 
 std::optional<std::size_t> System::softest_body() const {
-  // A few steps of inverse iteration; the factors exist even when they are nearly singular.
+  // Inverse iteration, shifted by a little so that an exactly singular matrix can be factorized.
+  Eigen::MatrixXd shifted = tangent_.topLeftCorner(reduced_, reduced_);
+  shifted.diagonal().array() += 1e-10;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(shifted);
   Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(reduced_, 1.0, 2.0);
-  for (int k = 0; k < 3; ++k) {
-    v.normalize();
-    if (follower_)
-      v = lu_.solve(v).eval();
-    else
-      factor_.solve(v);
-    if (!v.allFinite()) break;
-  }
+  for (int k = 0; k < 3; ++k) v = lu.solve(v.normalized()).eval();
   const auto moving = static_cast<Eigen::Index>(moving_);
-  const double shifted = reduced_ > moving ? v.tail(reduced_ - moving).cwiseAbs().maxCoeff() : 0.0;
+  const double loads = reduced_ > moving ? v.tail(reduced_ - moving).cwiseAbs().maxCoeff() : 0.0;
   std::optional<std::size_t> softest;
-  double largest = 1e-6 * shifted;
+  double largest = 1e-6 * loads;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (bodies_[b].position < 0) continue;
     double motion = v.segment<2>(bodies_[b].position).norm();

@@ -50,7 +50,7 @@ class LoadStepping {
   /// On to a larger load factor.
   SteppingSummary advance(double load_factor);
 
-  const std::vector<double>& state() const { return points_.back().value; }
+  const std::vector<double>& state() const { return state_; }
   int unstable_directions() const { return unstable_; }
   const std::vector<StabilityChange>& changes() const { return changes_; }
   int steps() const { return steps_; }
@@ -70,6 +70,7 @@ class LoadStepping {
   };
 
   bool try_step(double to);
+  bool step_over(double target);
   bool goes_on(const std::vector<double>& z) const;
   bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
   bool work_is_smooth(double from, double to, const Energy& now) const;
@@ -89,6 +90,7 @@ class LoadStepping {
   int steps_ = 0;
   int iterations_ = 0;
   std::vector<double> slope_;
+  std::vector<double> state_;  // at the load factor asked for
 };
 
 template <LoadedProblem Problem>
@@ -99,6 +101,7 @@ bool LoadStepping<Problem>::start(const std::vector<double>& z) {
   unstable_ = problem_->unstable_directions();
   energy_ = energy_at(z, slope_);
   points_.push_back({0.0, z, slope_});
+  state_ = z;
   return true;
 }
 
@@ -126,7 +129,19 @@ SteppingSummary LoadStepping<Problem>::advance(double target) {
       next_step_ = 4.0 * options_.smallest_step;
     }
   }
-  return {SteppingOutcome::reached, points_.back().parameter, {}};
+  return {SteppingOutcome::reached, target, {}};
+}
+
+/// Where the load factor asked for is critical itself, no Newton iteration converges on it: goes a
+/// little further, and takes the state from the interpolated path.
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::step_over(double target) {
+  constexpr double little = 1e-6;
+  if (target - points_.back().parameter > 2.0 * options_.smallest_step) return false;
+  if (!try_step(target * (1.0 + little))) return false;
+  extrapolate_hermite(points_, target, state_);
+  problem_->set_load_factor(target);
+  return true;
 }
 
 template <LoadedProblem Problem>
@@ -216,6 +231,7 @@ void LoadStepping<Problem>::accept(double load_factor, std::vector<double> z,
   ++steps_;
   energy_ = energy;
   problem_->set_load_factor(load_factor);
+  state_ = z;
   if (points_.size() == 3) points_.pop_front();
   points_.push_back({load_factor, std::move(z), slope_});
 }
@@ -274,6 +290,7 @@ bool LoadStepping<Problem>::correct() {
   if (summary.outcome != NewtonOutcome::converged) return false;
   unstable_ = problem_->unstable_directions();
   energy_ = energy_at(last.value, last.slope);
+  state_ = last.value;
   return true;
 }
 

@@ -12,7 +12,6 @@
 namespace flexura {
 namespace {
 
-constexpr int most_refinements = 6;
 constexpr int most_ratio_updates = 40;
 
 double algebraic_tolerance(double tolerance) { return std::clamp(1e-2 * tolerance, 1e-13, 1e-9); }
@@ -67,6 +66,7 @@ class PathTracer {
   std::vector<double> errors_;
   double largest_displacement_ = 0.0;
   std::size_t changes_noted_ = 0;
+  int refinements_left_ = 6;
   TracedPath path_;
 };
 
@@ -89,10 +89,12 @@ TracedPath PathTracer::run() {
       break;
     }
     if (!settle(stepping)) {
-      path_.termination = {Status::stopped,
-                           fmt::format("the discretization could not be refined at load factor "
-                                       "{:.6g}; give more modes or elements",
-                                       load_factor)};
+      path_.termination = {
+          Status::stopped,
+          fmt::format("the state at load factor {:.6g} could not be solved again "
+                      "with a finer discretization, or with Howell's parameters for "
+                      "its own load; more steps may help",
+                      load_factor)};
       break;
     }
     record(stepping, load_factor, errors_);
@@ -108,19 +110,20 @@ TracedPath PathTracer::run() {
 }
 
 /// Estimates the error of the new state, and refines where the modeling chooses its own number of
-/// modes and they do not suffice.
+/// modes and they do not suffice. What a path may be refined is limited: past that, the estimate
+/// says how far it is from the tolerance. A state where the finer system has no solution (a
+/// critical one, say) goes without an estimate.
 bool PathTracer::settle(Stepping& stepping) {
   errors_.clear();
   if (follows_load_ratio(settings_) && !settle_load_ratios(stepping)) return false;
-  for (int refinement = 0; estimates(); ++refinement) {
+  while (estimates()) {
     const std::vector<double>& z = stepping.state();
-    if (!estimate_->solve(system(), z, path_.iterations)) {
-      if (!chooses_modes(settings_)) return true;  // no estimate of this state
-    } else {
+    if (estimate_->solve(system(), z, path_.iterations)) {
       errors_ = measure_errors(z);
-      if (is_accurate(errors_, z) || !chooses_modes(settings_)) return true;
+      if (is_accurate(errors_, z)) return true;
     }
-    if (refinement == most_refinements) return false;
+    if (!chooses_modes(settings_) || refinements_left_ == 0) return true;
+    --refinements_left_;
     const System& coarse = system();
     path_.systems.push_back(estimate_->release());
     stepping.change_problem(system(), [&coarse, this](const std::vector<double>& v) {

@@ -72,14 +72,9 @@ TEST(RelativePose, DoesNotChangeWhenEverythingMovesTogether) {
   const double turn = 1.234;
   const Vec2 base = Vec2{5.0, -3.0} + rotate(turn, {pose[base_x], pose[base_y]});
   const Vec2 action = Vec2{5.0, -3.0} + rotate(turn, {pose[action_x], pose[action_y]});
-  const double moved[port_unknowns] = {base.x,
-                                       base.y,
-                                       pose[base_turn] + turn,
-                                       pose[base_section] + turn,
-                                       action.x,
-                                       action.y,
-                                       pose[action_turn] + turn,
-                                       pose[action_section] + turn};
+  const double moved[port_unknowns] = {
+      base.x,   base.y,   pose[base_turn] + turn,   pose[base_section] + turn,
+      action.x, action.y, pose[action_turn] + turn, pose[action_section] + turn};
   const RelativePose after = relative_pose(moved, arms, Eigen::Vector3d::Zero());
   EXPECT_LT((after.value - before.value).norm(), 3e-15);
 }

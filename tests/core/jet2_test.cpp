@@ -80,12 +80,12 @@ TEST(Jet2, PacksDifferentiateAtTwoPoints) {
     return sin(a) * cos(b * c) / sqrt(c) - 2.0 * a * b + 1.0;
   };
   const double other[3] = {-0.4, 0.9, 3.3};
-  const Packed pack = function(Packed::variable(0, Pack2{x, other[0]}),
-                               Packed::variable(1, Pack2{y, other[1]}),
-                               Packed::variable(2, Pack2{z, other[2]}));
-  const Jet lanes[2] = {function(jx, jy, jz),
-                        function(Jet::variable(0, other[0]), Jet::variable(1, other[1]),
-                                 Jet::variable(2, other[2]))};
+  const Packed pack =
+      function(Packed::variable(0, Pack2{x, other[0]}), Packed::variable(1, Pack2{y, other[1]}),
+               Packed::variable(2, Pack2{z, other[2]}));
+  const Jet lanes[2] = {
+      function(jx, jy, jz),
+      function(Jet::variable(0, other[0]), Jet::variable(1, other[1]), Jet::variable(2, other[2]))};
   for (int lane = 0; lane < 2; ++lane) {
     EXPECT_DOUBLE_EQ(pack.value[lane], lanes[lane].value);
     for (std::size_t i = 0; i < 3; ++i)

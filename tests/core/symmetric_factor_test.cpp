@@ -86,8 +86,7 @@ TEST(SolveSymmetric, BandsThatNeedPivoting) {
   std::vector<double> band(9 * 3 + 2, NAN);
   for (std::size_t i = 0; i < 9; ++i)
     for (std::size_t j = i > 2 ? i - 2 : 0; j <= i; ++j)
-      layout.row(band.data(), i)[j] =
-          a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      layout.row(band.data(), i)[j] = a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   using Columns = Eigen::Matrix<double, 9, 4, Eigen::RowMajor>;
   const Columns b = Columns::Random();
   Columns x = b;

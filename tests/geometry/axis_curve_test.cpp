@@ -68,9 +68,9 @@ TEST(AxisCurve, SplinePassesThroughItsPointsSmoothly) {
 }
 
 TEST(AxisCurve, SplineThroughCollinearPointsIsTheLine) {
-  for (const std::vector<Vec2>& points :
-       {std::vector<Vec2>{{0, 0}, {3, 4}}, {{0, 0}, {0.6, 0.8}, {3, 4}},
-        {{0, 0}, {0.6, 0.8}, {1.5, 2.0}, {3, 4}}}) {
+  for (const std::vector<Vec2>& points : {std::vector<Vec2>{{0, 0}, {3, 4}},
+                                          {{0, 0}, {0.6, 0.8}, {3, 4}},
+                                          {{0, 0}, {0.6, 0.8}, {1.5, 2.0}, {3, 4}}}) {
     const AxisCurve axis(SplineAxis{points, {}, {}});
     EXPECT_NEAR(axis.length(), 5.0, 1e-14);
     EXPECT_LT(norm(axis.position(2.0) - Vec2{1.2, 1.6}), 1e-14);

@@ -82,8 +82,8 @@ TEST_P(MechanismProperties, DoNotDependOnTheNumberOfSteps) {
     EXPECT_LT(distance(stage(chain_, loads_, steps), expected, 10.0), 1e-10) << steps;
 }
 
-/// Along the path d(strain energy) = f d(displacement of the loads): by Simpson's rule over the load
-/// factor f, E(1) = D(1) - integral of D(f).
+/// Along the path d(strain energy) = f d(displacement of the loads): by Simpson's rule over the
+/// load factor f, E(1) = D(1) - integral of D(f).
 TEST_P(MechanismProperties, StrainEnergyIsTheWorkOfTheLoads) {
   const int steps = 64;
   const TracedPath path = trace(chain_, loads_, GetParam().settings, steps, false);
@@ -128,8 +128,7 @@ TEST_P(MechanismProperties, TangentIsTheDerivativeOfTheResidual) {
     double size = 0.0;
     for (const double d : direction) size = std::max(size, std::abs(d));
     for (std::size_t i = 0; i < direction.size(); ++i) {
-      const double slope =
-          (8.0 * (high[i] - low[i]) - (higher[i] - lower[i])) / (12.0 * h);
+      const double slope = (8.0 * (high[i] - low[i]) - (higher[i] - lower[i])) / (12.0 * h);
       EXPECT_NEAR(slope, direction[i], 1e-7 * size) << i << (follower ? " follower" : " dead");
     }
   }

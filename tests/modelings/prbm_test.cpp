@@ -52,13 +52,14 @@ TEST(Howell, TheJointLeavesTheCharacteristicRadius) {
   EXPECT_NEAR(chain.stiffness[0], 0.852144 * 2.654855, 1e-15);
 }
 
-/// A transverse force F on the tip: gamma L F cos(T) = K T, tip at 1 - gamma (1 - cos T), gamma sin T.
+/// A transverse force F on the tip: gamma L F cos(T) = K T, tip at 1 - gamma (1 - cos T), gamma sin
+/// T.
 TEST(Howell, TipLoadedCantileverMatchesItsClosedForm) {
   const double gamma = 0.852144, k = gamma * 2.654855;
   const double turn = 0.6;
   const double force = k * turn / (gamma * std::cos(turn));
-  const Pose tip = final_pose(straight, {straight.load("tip", {0.0, force})},
-                              prbm({PrbmHowell{0.0}}), 1, 3);
+  const Pose tip =
+      final_pose(straight, {straight.load("tip", {0.0, force})}, prbm({PrbmHowell{0.0}}), 1, 3);
   EXPECT_NEAR(tip.rotation, turn, 1e-11);
   EXPECT_NEAR(tip.position.x, 1.0 - gamma * (1.0 - std::cos(turn)), 1e-11);
   EXPECT_NEAR(tip.position.y, gamma * std::sin(turn), 1e-11);
@@ -77,8 +78,8 @@ TEST(Howell, FollowsTheLoadRatio) {
   EXPECT_NEAR(0.9 * (std::cos(turn) + n * std::sin(turn)), p.stiffness * turn, 1e-10);
 }
 
-/// Under a moment alone the tip turns by M/(gamma K_theta), about 1.5164 EI/L (the literature's value;
-/// so the end's turn, 1.5164 times that, is M L/EI).
+/// Under a moment alone the tip turns by M/(gamma K_theta), about 1.5164 EI/L (the literature's
+/// value; so the end's turn, 1.5164 times that, is M L/EI).
 TEST(Howell, EndMomentHasItsOwnParameters) {
   const Pose tip = final_pose(straight, {straight.load("tip", {}, 0.5)}, prbm({PrbmHowell{}}), 1);
   EXPECT_NEAR(tip.rotation, 0.5 / 1.5164, 1e-10);

@@ -26,10 +26,10 @@ struct SuiteEntry {
 
 inline ModelingSettings no_strain(ModelingSettings settings) { return in_theory(settings, "i"); }
 
-/// Su's and Howell's parameters are fits, unsymmetrical ones; SCMBM relates load and displacement in
-/// the frame of its base body alone; neither it nor a pseudo-rigid chain is right at half its length.
-/// Two-node beam elements on a curved axis are only as reversible as their mesh is fine: what the
-/// chord of an element lacks of its arc keeps its direction while the element turns.
+/// Su's and Howell's parameters are fits, unsymmetrical ones; SCMBM relates load and displacement
+/// in the frame of its base body alone; neither it nor a pseudo-rigid chain is right at half its
+/// length. Two-node beam elements on a curved axis are only as reversible as their mesh is fine:
+/// what the chord of an element lacks of its arc keeps its direction while the element turns.
 inline std::vector<SuiteEntry> suite_entries() {
   const auto prbm_by = [](PrbmSettings parameters) { return no_strain(prbm(parameters)); };
   const PrbmSegments segments{{0.2, 0.3, 0.3, 0.2}, {3.0, 2.5, 3.0}};
@@ -51,8 +51,8 @@ inline std::vector<SuiteEntry> suite_entries() {
           {"beam_order_4_inextensible", no_strain(beam(8, 4))}};
 }
 
-/// A chain of two flexures, ground - link - stage, with the point "stage.P" off its last end; arcs of
-/// 150 and -100 degrees, or straight leaves.
+/// A chain of two flexures, ground - link - stage, with the point "stage.P" off its last end; arcs
+/// of 150 and -100 degrees, or straight leaves.
 inline Mechanism suite_chain(const SuiteEntry& entry) {
   Mechanism chain;
   chain.material(2100.0, 0.35).section(RectangleSection{0.3, 1.0});
@@ -67,11 +67,11 @@ inline Mechanism suite_chain(const SuiteEntry& entry) {
   return chain;
 }
 
-/// Loads that turn the stage by some tenths of a radian: a force at the point and a moment on the body between.
+/// Loads that turn the stage by some tenths of a radian: a force at the point and a moment on the
+/// body between.
 inline std::vector<Load> suite_loads(const Mechanism& chain) {
   return {chain.load("stage.P", {0.06, 0.09}), chain.load("link", {0.03, -0.02}, 0.25)};
 }
-
 
 inline std::string suite_name(const ::testing::TestParamInfo<SuiteEntry>& test) {
   return test.param.name;

@@ -34,7 +34,8 @@ class TwoPortProperties : public ::testing::TestWithParam<SuiteEntry> {
         size = std::max(size, std::abs(scratch[4 * i]));
       }
       answer.steps.push_back(size);
-      if (size < 1e-14 || (size < 1e-11 && k > 0 && size > 0.1 * answer.steps[answer.steps.size() - 2]))
+      if (size < 1e-14 ||
+          (size < 1e-11 && k > 0 && size > 0.1 * answer.steps[answer.steps.size() - 2]))
         break;
     }
     answer.response = port().linearize(load, answer.internal.data(), scratch.data());
@@ -106,8 +107,9 @@ TEST_P(TwoPortProperties, FlexibilityIsTheDerivativeOfTheTipAndSymmetric) {
             1e-13 * size);
 }
 
-/// The internal tangent is the derivative of the internal residual: Newton's rate is quadratic, with a
-/// constant of order one where forces are unknowns, and of the squared slenderness in displacements.
+/// The internal tangent is the derivative of the internal residual: Newton's rate is quadratic,
+/// with a constant of order one where forces are unknowns, and of the squared slenderness in
+/// displacements.
 TEST_P(TwoPortProperties, InternalNewtonStepsShrinkQuadratically) {
   if (port().internal_size() == 0) GTEST_SKIP() << "nothing inside";
   const Answer here = answer(some_load());
@@ -146,7 +148,6 @@ TEST_P(TwoPortProperties, SectionForcesBalanceTheLoad) {
 
 /// tip = drawn + C load + O(load^2): the deviation per load falls with the load.
 TEST_P(TwoPortProperties, TendsToTheComplianceMatrixAsLoadsVanish) {
-  if (!GetParam().linearizes) GTEST_SKIP() << "a fit, or a mesh of first order";
   const ModelingSettings& settings = GetParam().settings;
   const FlexureProperties flexure =
       flexure_properties(chain_, chain_.model().flexures[0], settings.axial, settings.shear);
@@ -160,6 +161,10 @@ TEST_P(TwoPortProperties, TendsToTheComplianceMatrixAsLoadsVanish) {
   const double before = deviation(1e-3);
   const double after = deviation(1e-4);
   note_measured("at_1e-4", after);
+  if (!GetParam().linearizes) {
+    EXPECT_GT(after, 2e-4) << "now it tends to it: enter it as linearizing";
+    return;
+  }
   EXPECT_LT(after, 1e-4);
   // first order, down to what rounding of the tip and the mesh leave
   EXPECT_LT(after, 0.11 * before + 2e-10);

@@ -1,9 +1,9 @@
 // Load stepping on the von Mises truss, one equation with a closed-form limit point: two bars of
-// half-span b and rise h = a b under a load at the apex. With u = (displacement down)/h, shallow-arch
-// strain, and all constants set to one,
+// half-span b and rise h = a b under a load at the apex. With u = (displacement down)/h,
+// shallow-arch strain, and all constants set to one,
 //     strain energy (1 - (1-u)^2)^2 / 8,   equilibrium u - 3 u^2/2 + u^3/2 = load,
-// which turns back at u = 1 - 1/sqrt 3 under the load 1/(3 sqrt 3) = 0.19245008972987526 (twice that,
-// 0.38490017945975, is the figure of textbooks, for E A a^3/L^3 with both bars).
+// which turns back at u = 1 - 1/sqrt 3 under the load 1/(3 sqrt 3) = 0.19245008972987526 (twice
+// that, 0.38490017945975, is the figure of textbooks, for E A a^3/L^3 with both bars).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -64,8 +64,8 @@ TEST(Newton, ConvergesAtSecondOrder) {
   EXPECT_GE(checked, 2);
 }
 
-/// Having learnt its rate, it saves the evaluation that would only confirm convergence: its last step
-/// is above the tolerance, what is left is not.
+/// Having learnt its rate, it saves the evaluation that would only confirm convergence: its last
+/// step is above the tolerance, what is left is not.
 TEST(Newton, StopsEarlyOnceItKnowsItsRate) {
   Newton newton({1e-10, 30, 6});
   Scalar problem = newtons_cubic();

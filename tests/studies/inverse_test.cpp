@@ -1,5 +1,6 @@
-// Study `inverse` gives back the loads of a path: displacements of each flexure's action body in the
-// final state of a path, prescribed, need the path's load at the loaded body and none on the others.
+// Study `inverse` gives back the loads of a path: displacements of each flexure's action body in
+// the final state of a path, prescribed, need the path's load at the loaded body and none on the
+// others.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,8 +71,7 @@ TEST_P(InverseRoundTrip, GivesBackTheLoadsOfAPath) {
   const System& system = *path.systems[last.system];
   std::vector<RelativeDisplacement> relative;
   for (std::size_t k = 0; k < 3; ++k) {
-    relative.push_back(
-        relative_in(chain, system, last.z, k, place_of(chain, k, settings, at)));
+    relative.push_back(relative_in(chain, system, last.z, k, place_of(chain, k, settings, at)));
     relative.back().at = at;
   }
   const ModelingPath found = inverse(chain, relative, settings, 8);
@@ -81,8 +81,8 @@ TEST_P(InverseRoundTrip, GivesBackTheLoadsOfAPath) {
     EXPECT_LT(distance(state.bodies[b], system.pose(b + 1, last.z), 20.0), 1e-10) << b;
 
   // a dead force at the point: about the body's centre, its lever is the point's present one
-  const Vec2 arm = system.moved_point(3, {19.093, 15.750}, last.z) -
-                   system.pose(3, last.z).position;
+  const Vec2 arm =
+      system.moved_point(3, {19.093, 15.750}, last.z) - system.pose(3, last.z).position;
   const Vec2 drawn_arm = Vec2{19.093, 15.750} - body_centre(chain, 3);
   const double moment = load.moment + cross(system.linearised() ? drawn_arm : arm, load.force);
   ASSERT_EQ(state.reactions.size(), 3U);
@@ -98,14 +98,14 @@ TEST_P(InverseRoundTrip, GivesBackTheLoadsOfAPath) {
 
 INSTANTIATE_TEST_SUITE_P(
     Modelings, InverseRoundTrip,
-    ::testing::Values(RoundTrip{"linear", linear()}, RoundTrip{"linear_centre", linear(), At::centre},
-                      RoundTrip{"scmbm_centre", scmbm_centre(), At::centre},
-                      RoundTrip{"scmbm_centre_by_ends", scmbm_centre()},
-                      RoundTrip{"scmbm_end", scmbm_end()},
-                      RoundTrip{"prbm", in_theory(prbm(), "i")}, RoundTrip{"exact", exact_modes(14)},
-                      RoundTrip{"exact_inextensible", in_theory(exact_modes(14), "i")},
-                      RoundTrip{"exact_centre", exact_modes(14), At::centre},
-                      RoundTrip{"beam_order_1", beam(32, 1)}, RoundTrip{"beam_order_4", beam(6, 4)}),
+    ::testing::Values(
+        RoundTrip{"linear", linear()}, RoundTrip{"linear_centre", linear(), At::centre},
+        RoundTrip{"scmbm_centre", scmbm_centre(), At::centre},
+        RoundTrip{"scmbm_centre_by_ends", scmbm_centre()}, RoundTrip{"scmbm_end", scmbm_end()},
+        RoundTrip{"prbm", in_theory(prbm(), "i")}, RoundTrip{"exact", exact_modes(14)},
+        RoundTrip{"exact_inextensible", in_theory(exact_modes(14), "i")},
+        RoundTrip{"exact_centre", exact_modes(14), At::centre},
+        RoundTrip{"beam_order_1", beam(32, 1)}, RoundTrip{"beam_order_4", beam(6, 4)}),
     [](const auto& test) { return test.param.name; });
 
 /// One flexure, its displacement given at the point its matrix is about: by SCMBM the load is
@@ -128,8 +128,7 @@ TEST(InverseScmbm, LoadsAreLinearInTheDisplacement) {
       const Reaction& found = path.states[k].reactions[0];
       EXPECT_LT(norm(found.force - factor * force), 1e-12 * norm(force)) << k;
       // about the body's centre rather than about the displaced point
-      const double moment =
-          factor * load[2] + cross(rotate(factor * 0.9, arm), factor * force);
+      const double moment = factor * load[2] + cross(rotate(factor * 0.9, arm), factor * force);
       EXPECT_NEAR(found.moment, moment, 1e-12 * (std::abs(load[2]) + norm(force))) << k;
     }
   }
@@ -140,8 +139,8 @@ TEST(InverseImpossible, SaysThatAFlexureCannotFollow) {
   const Mechanism straight = single_flexure(LineAxis{{0.0, 0.0}, {10.0, 0.0}});
   InverseStudy study;
   study.relative = {{0, {0.1, 0.0}, 0.0, At::end}};
-  const ModelingPath path = run_inverse(straight, study, in_theory(exact_modes(8), "i"),
-                                        [](double) { return true; });
+  const ModelingPath path =
+      run_inverse(straight, study, in_theory(exact_modes(8), "i"), [](double) { return true; });
   EXPECT_EQ(path.termination.status, Status::stopped);
   EXPECT_FALSE(path.termination.reason.empty());
 }

@@ -37,9 +37,9 @@ TEST(Networks, FlexuresInSeriesAddTheirCompliances) {
 TEST(Networks, FlexuresInParallelAddTheirStiffnesses) {
   const Mechanism stage = parallelogram();
   const Vec2 at = body_centre(stage, 1);
-  const Eigen::Matrix3d expected = (flexure_compliance(stage, 0, at).inverse() +
-                                    flexure_compliance(stage, 1, at).inverse())
-                                       .inverse();
+  const Eigen::Matrix3d expected =
+      (flexure_compliance(stage, 0, at).inverse() + flexure_compliance(stage, 1, at).inverse())
+          .inverse();
   const Eigen::Vector3d size = expected.diagonal().cwiseSqrt();
   for (const ModelingSettings& modeling : {linear(), scmbm_centre(), scmbm_end(), exact_modes(8)}) {
     const Eigen::Matrix3d found = assembled(stage, 1, modeling);
@@ -62,8 +62,8 @@ TEST(Networks, ParallelLeavesMayPointEitherWay) {
             1e-10);
 }
 
-/// Leaves of a parallelogram sway like two pairs of half-length cantilevers: without axial strain the
-/// stage moves on a nearly circular path without turning, u_x = -(3/5) u_y^2/L to second order.
+/// Leaves of a parallelogram sway like two pairs of half-length cantilevers: without axial strain
+/// the stage moves on a nearly circular path without turning, u_x = -(3/5) u_y^2/L to second order.
 TEST(Networks, InextensibleParallelogramTranslates) {
   const Mechanism stage = parallelogram();
   for (const ModelingSettings& modeling : {exact(1e-11), beam(8, 4)}) {
@@ -96,7 +96,8 @@ TEST(Networks, ParallelogramOfStraightPseudoRigidChains) {
 /// The four-bar frame swayed by 5.6 N: reaction forces of both legs balance the load.
 TEST(Networks, FourBarIsInEquilibrium) {
   const Mechanism frame = portal_frame();
-  for (const ModelingSettings& modeling : {exact(), beam(4, 4), scmbm_centre(), in_theory(prbm(), "i")}) {
+  for (const ModelingSettings& modeling :
+       {exact(), beam(4, 4), scmbm_centre(), in_theory(prbm(), "i")}) {
     const TracedPath path = trace(frame, {frame.load("left", {2.0, 0.0})}, modeling, 10);
     ASSERT_TRUE(path.termination.converged()) << modeling.label << path.termination.reason;
     const TracedState& last = path.states.back();

@@ -18,7 +18,8 @@ TEST(Pinned, SimplySupportedBeam) {
   beam_on_pins.flexure("left", "middle", LineAxis{{0.0, 0.0}, {1.0, 0.0}}).pin_base();
   beam_on_pins.flexure("middle", "right", LineAxis{{1.0, 0.0}, {2.0, 0.0}}).pin_action();
   const double force = 1e-6;
-  for (const ModelingSettings& modeling : {linear(), exact(), beam(4, 2), scmbm_centre(), scmbm_end()}) {
+  for (const ModelingSettings& modeling :
+       {linear(), exact(), beam(4, 2), scmbm_centre(), scmbm_end()}) {
     const Pose pose = final_pose(beam_on_pins, {beam_on_pins.load("middle", {0.0, -force})},
                                  in_theory(modeling, "ii"), 1);
     // 1e-6: what stretching carries at this small deflection, (EA/EI) y^2 = 3e-8, and then some
@@ -27,8 +28,8 @@ TEST(Pinned, SimplySupportedBeam) {
   }
 }
 
-/// No moment at a pinned end. (Section forces of SCMBM balance on the flexure as drawn, and so do not
-/// vanish at a pin once it has moved.)
+/// No moment at a pinned end. (Section forces of SCMBM balance on the flexure as drawn, and so do
+/// not vanish at a pin once it has moved.)
 TEST(Pinned, EndsCarryNoMoment) {
   Mechanism frame = portal_frame();
   Model model = frame.model();
@@ -74,9 +75,8 @@ Mechanism swing() {
 TEST(Singular, APathStopsAndNamesTheBodyThatMoves) {
   const Mechanism mechanism = swing();
   const Load load = mechanism.load("gondola.P", {1.0, 0.0});
-  for (const ModelingSettings& modeling :
-       {linear(), exact(), in_theory(exact_modes(8), "i"), beam(4, 2), scmbm_centre(),
-        in_theory(prbm(), "i")}) {
+  for (const ModelingSettings& modeling : {linear(), exact(), in_theory(exact_modes(8), "i"),
+                                           beam(4, 2), scmbm_centre(), in_theory(prbm(), "i")}) {
     const TracedPath path = trace(mechanism, {load}, modeling, 5);
     EXPECT_EQ(path.termination.status, Status::stopped) << modeling.label;
     EXPECT_NE(path.termination.reason.find("'gondola'"), std::string::npos)
@@ -98,8 +98,7 @@ TEST(Singular, OfSeveralBodiesTheLooseOneIsNamed) {
   Mechanism mechanism = swing();
   mechanism.body("held");
   mechanism.flexure("ground", "held", LineAxis{{100.0, 0.0}, {150.0, 10.0}});
-  const TracedPath path =
-      trace(mechanism, {mechanism.load("held", {0.1, 0.0})}, exact(), 2);
+  const TracedPath path = trace(mechanism, {mechanism.load("held", {0.1, 0.0})}, exact(), 2);
   EXPECT_EQ(path.termination.status, Status::stopped);
   EXPECT_NE(path.termination.reason.find("'gondola'"), std::string::npos)
       << path.termination.reason;

@@ -1,5 +1,5 @@
-// Studies of a model run side by side: results do not depend on threads, nor a modeling's results on
-// the others; progress and cancelling.
+// Studies of a model run side by side: results do not depend on threads, nor a modeling's results
+// on the others; progress and cancelling.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -104,8 +104,7 @@ TEST(RunStudies, DifferencesRankTheModelings) {
   EXPECT_LT(m[4].error_estimate.value(), 1e-8);
   EXPECT_FALSE(m[1].error_estimate.has_value());
   // what beams estimate of their own error is what they differ by from exact
-  EXPECT_NEAR(m[5].error_estimate.value(), m[5].difference.value(),
-              0.2 * m[5].difference.value());
+  EXPECT_NEAR(m[5].error_estimate.value(), m[5].difference.value(), 0.2 * m[5].difference.value());
 }
 
 TEST(RunStudies, ReportsProgressOneCallAtATimeAndStopsWhenAsked) {

@@ -55,7 +55,8 @@ std::pair<AxisShape, AxisShape> halves(const AxisShape& axis) {
 }  // namespace
 
 Model moved_rigidly(Model model, double angle, Vec2 shift) {
-  map_places(model, [&](Vec2 p) { return shift + rotate(angle, p); }, angle, 1.0);
+  map_places(
+      model, [&](Vec2 p) { return shift + rotate(angle, p); }, angle, 1.0);
   return model;
 }
 
@@ -65,7 +66,8 @@ Load turned(Load load, double angle) {
 }
 
 Model in_other_length_unit(Model model, double factor) {
-  map_places(model, [&](Vec2 p) { return factor * p; }, 0.0, factor);
+  map_places(
+      model, [&](Vec2 p) { return factor * p; }, 0.0, factor);
   for (Material& material : model.materials) material.youngs_modulus /= factor * factor;
   for (NamedSection& section : model.sections) {
     if (auto* rectangle = std::get_if<RectangleSection>(&section.shape)) {
@@ -89,7 +91,8 @@ Load in_other_length_unit(Load load, double factor) {
 }
 
 Model with_reversed_flexure(Model model, std::size_t index) {
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) model.bodies[b].centre = body_centre(model, b);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    model.bodies[b].centre = body_centre(model, b);
   Flexure& flexure = model.flexures[index];
   std::swap(flexure.base, flexure.action);
   std::swap(flexure.pinned_base, flexure.pinned_action);
@@ -111,7 +114,8 @@ Model with_halved_flexure(Model model, std::size_t index) {
   start.pinned_action = false;
   start.axis = first;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    if (b == rest.action && !model.bodies[b].centre) model.bodies[b].centre = axis_ends(second).action;
+    if (b == rest.action && !model.bodies[b].centre)
+      model.bodies[b].centre = axis_ends(second).action;
   model.bodies.push_back(joint);
   model.flexures.push_back(rest);
   return model;
