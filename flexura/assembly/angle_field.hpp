@@ -82,7 +82,7 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
     const double* __restrict turn1 = turn0 + m;
     const Pack2 angle{field.angles[g] + field.turn(g, y),
                       field.angles[g + 1] + field.turn(g + 1, y)};
-    Jet phi = potential(Jet::variable(0, angle), fx, fy);
+    Jet phi = potential(g, Jet::variable(0, angle), fx, fy);
     phi *= Pack2{field.weights[g], field.weights[g + 1]};
     const Pack2 by_angle = phi.gradient[0];
     const Pack2 by_fx = phi.second(0, 1);

@@ -31,15 +31,17 @@ struct SectionStiffness {
 
 /// The same beam in displacements: strain energy per length from the derivative (dx, dy) of the
 /// position by the arc length of the undeformed axis, the angle theta of the section's normal
-/// direction, and the curvature change kappa.
+/// direction, and the curvature change kappa. `stretch` is the length of (dx, dy) at rest: 1 on the
+/// true axis, a little less on an interpolated one.
 template <class Scalar>
 Scalar reissner_strain_energy(const Scalar& dx, const Scalar& dy, const Scalar& theta,
-                              const Scalar& kappa, const SectionStiffness& section) {
+                              const Scalar& kappa, const SectionStiffness& section,
+                              double stretch = 1.0) {
   using std::cos;
   using std::sin;
   const Scalar c = cos(theta);
   const Scalar s = sin(theta);
-  const Scalar eps = dx * c + dy * s - 1.0;
+  const Scalar eps = dx * c + dy * s - stretch;
   const Scalar gamma = dy * c - dx * s;
   return 0.5 * (section.axial * (eps * eps) + section.shear * (gamma * gamma) +
                 section.bending * (kappa * kappa));

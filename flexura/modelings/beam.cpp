@@ -62,8 +62,7 @@ double BeamPort::add_point(std::size_t element, std::size_t gauss, const double*
   const std::size_t first = element * mesh_.order;  // node
   const double length = mesh_.length;
 
-  const Vec2 t = unit(point.angle);
-  double dx = t.x, dy = t.y, theta = point.angle, kappa = 0.0;
+  double dx = point.tangent.x, dy = point.tangent.y, theta = point.angle, kappa = 0.0;
   for (std::size_t a = first == 0 ? 1 : 0; a < per; ++a) {
     const double* node = y + 3 * (first + a - 1);
     dx += length * d[a] * node[0];
@@ -73,8 +72,9 @@ double BeamPort::add_point(std::size_t element, std::size_t gauss, const double*
   }
   const SectionStiffness section{1.0 / flexure_.axial_compliance, 1.0 / flexure_.shear_compliance,
                                  flexure_.bending_stiffness};
-  Jet energy = reissner_strain_energy(Jet::variable(0, dx), Jet::variable(1, dy),
-                                      Jet::variable(2, theta), Jet::variable(3, kappa), section);
+  Jet energy =
+      reissner_strain_energy(Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
+                             Jet::variable(3, kappa), section, point.stretch);
   energy *= point.weight;
 
   const std::size_t stride = width() + 1;
@@ -176,8 +176,8 @@ void BeamPort::prolong(std::span<const double> internal, std::span<double> refin
       double turn = 0.0;
       for (std::size_t a = 0; a <= fine.order; ++a)
         turn += fine.shape[g * (fine.order + 1) + a] * turns[e * fine.order + a];
-      const double angle = fine.points[e * fine.order + g].angle;
-      slopes.push_back(unit(angle + turn) - unit(angle));
+      const Vec2 tangent = fine.points[e * fine.order + g].tangent;
+      slopes.push_back(rotate(turn, tangent) - tangent);
     }
     Vec2 moved;
     for (std::size_t a = 1; a <= fine.order; ++a) {

@@ -18,9 +18,15 @@ class ForceBeamPort final : public TwoPort {
   std::size_t scratch_size() const override { return field_.scratch_size(); }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override {
-    const auto potential = [this](const auto& theta, const auto& fx, const auto& fy) {
+    const auto potential = [this](std::size_t g, const auto& theta, const auto& fx,
+                                  const auto& fy) {
+      // an interpolated axis is a little shorter than the true one: less for the force to displace
+      const Pack2 shorter{mesh_stretch(g) - 1.0, mesh_stretch(g + 1) - 1.0};
+      auto along = fx * cos(theta) + fy * sin(theta);
+      along *= shorter;
       return reissner_mixed_potential(theta, fx, fy, flexure_.axial_compliance,
-                                      flexure_.shear_compliance);
+                                      flexure_.shear_compliance) -
+             along;
     };
     return linearize_angle_field(field_, potential, load, internal, scratch);
   }
@@ -37,6 +43,10 @@ class ForceBeamPort final : public TwoPort {
   double error_ratio() const override { return halving_error_ratio(mesh_); }
 
  private:
+  double mesh_stretch(std::size_t point) const {
+    return point < mesh_.points.size() ? mesh_.points[point].stretch : 1.0;
+  }
+
   FlexureProperties flexure_;
   BeamSettings settings_;
   BeamMesh mesh_;
@@ -69,7 +79,7 @@ ForceBeamPort::ForceBeamPort(const FlexureProperties& flexure, BeamSettings sett
     }
     field_.weights.push_back(weight);
     field_.angles.push_back(mesh_.points[p].angle);
-    drawn = drawn + weight * unit(mesh_.points[p].angle);
+    drawn = drawn + weight * mesh_.points[p].tangent;
   }
   field_.offset = flexure.axis.position(mesh_.length) - flexure.axis.position(0.0) - drawn;
   field_.complete_pairs();

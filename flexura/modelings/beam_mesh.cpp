@@ -1,6 +1,7 @@
 #include "flexura/modelings/beam_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "flexura/core/quadrature.hpp"
 
@@ -37,11 +38,21 @@ BeamMesh::BeamMesh(const AxisCurve& axis, int element_count, int element_order)
     for (const double d : lagrange_slopes(node_places_, x)) slope.push_back(d / half);
   }
   points.reserve(elements * order);
-  for (std::size_t e = 0; e < elements; ++e)
+  const auto place = [&](std::size_t e, std::size_t a) {
+    const double s = 2.0 * half * (static_cast<double>(e) + node_place(a));
+    return axis.position(std::min(s, length));
+  };
+  for (std::size_t e = 0; e < elements; ++e) {
+    std::vector<Vec2> nodes_here;
+    for (std::size_t a = 0; a <= order; ++a) nodes_here.push_back(place(e, a));
     for (std::size_t g = 0; g < order; ++g) {
-      const double s = half * (2.0 * static_cast<double>(e) + 1.0 + rule.nodes[g]);
-      points.push_back({half * rule.weights[g], axis.tangent_angle(s)});
+      Vec2 tangent;
+      for (std::size_t a = 0; a <= order; ++a)
+        tangent = tangent + slope[g * (order + 1) + a] * nodes_here[a];
+      points.push_back(
+          {half * rule.weights[g], tangent, std::atan2(tangent.y, tangent.x), norm(tangent)});
     }
+  }
 }
 
 std::vector<double> BeamMesh::shape_at(double x) const {

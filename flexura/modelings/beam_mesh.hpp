@@ -10,10 +10,14 @@
 namespace flexura {
 
 /// Equal elements along a flexure, `order` + 1 Gauss-Lobatto nodes each, `order` Gauss points each.
+/// The axis is interpolated between its nodes as displacements are: only so does an element move
+/// rigidly without strain.
 struct BeamMesh {
   struct GaussPoint {
     double weight = 0.0;  ///< of ds
-    double angle = 0.0;   ///< of the tangent as drawn
+    Vec2 tangent;         ///< derivative by s of the axis as drawn, interpolated like displacements
+    double angle = 0.0;   ///< of it
+    double stretch = 0.0;  ///< its length
   };
 
   BeamMesh(const AxisCurve& axis, int element_count, int element_order);

@@ -46,6 +46,8 @@ class ExactPort final : public TwoPort {
  private:
   std::size_t piece_at(double s) const;
   double turn_at(double s, std::span<const double> internal) const;
+  StationGrid::Integral<Vec2> place_axis(const StationGrid& grid, Vec2 f,
+                                         const std::vector<double>& turns) const;
   double moment_at(double s, std::span<const double> internal) const;
   /// P_i and integrals of P_i/L from the piece's start, at s in the piece.
   void fill_turns(std::size_t piece, double x, double* row) const;
@@ -106,7 +108,7 @@ void ExactPort::fill_turns(std::size_t piece, double x, double* row) const {
 
 TipResponse ExactPort::linearize(const Eigen::Vector3d& load, const double* internal,
                                  double* scratch) const {
-  const auto potential = [this](const auto& theta, const auto& fx, const auto& fy) {
+  const auto potential = [this](std::size_t, const auto& theta, const auto& fx, const auto& fy) {
     return reissner_mixed_potential(theta, fx, fy, flexure_.axial_compliance,
                                     flexure_.shear_compliance);
   };
@@ -149,24 +151,45 @@ double ExactPort::moment_at(double s, std::span<const double> internal) const {
   return flexure_.bending_stiffness / flexure_.axis.length() * moment;
 }
 
+/// The axis of sections that turn by `turns`, with the strains of a constant force f.
+StationGrid::Integral<Vec2> ExactPort::place_axis(const StationGrid& grid, Vec2 f,
+                                                  const std::vector<double>& turns) const {
+  std::vector<Vec2> slopes;
+  for (std::size_t k = 0; k < grid.nodes.size(); ++k) {
+    const Vec2 t = unit(grid.nodes[k].angle + turns[k]);
+    slopes.push_back((1.0 + flexure_.axial_compliance * dot(f, t)) * t +
+                     flexure_.shear_compliance * dot(f, perp(t)) * perp(t));
+  }
+  return grid.integrate(slopes);
+}
+
+/// The modes' moment is right in the mean: its error is as large as the last mode, while the tip's
+/// is that squared. The moment that holds each part in equilibrium with the tip is as good as the
+/// tip, and so are the turns that follow from it.
 std::vector<SectionState> ExactPort::sections(const Eigen::Vector3d& load,
                                               std::span<const double> internal) const {
   const StationGrid grid(flexure_.axis);
   const Vec2 f{load[0], load[1]};
+  std::vector<double> turns;
+  for (const StationGrid::Node& node : grid.nodes) turns.push_back(turn_at(node.s, internal));
+  StationGrid::Integral<double> turn;
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const StationGrid::Integral<Vec2> axis = place_axis(grid, f, turns);
+    std::vector<double> curvatures;
+    for (const Vec2 place : axis.at_nodes)
+      curvatures.push_back((load[2] + cross(axis.at_stations.back() - place, f)) /
+                           flexure_.bending_stiffness);
+    turn = grid.integrate(curvatures);
+    turns = turn.at_nodes;
+  }
+  const StationGrid::Integral<Vec2> axis = place_axis(grid, f, turns);
   std::vector<SectionState> states;
-  Vec2 position;
   for (std::size_t k = 0; k < grid.s.size(); ++k) {
-    const double turn = turn_at(grid.s[k], internal);
-    const Vec2 t = unit(grid.angles[k] + turn);
-    states.push_back(
-        {{position, turn}, dot(f, t), dot(f, perp(t)), moment_at(grid.s[k], internal)});
-    if (k + 1 == grid.s.size()) break;
-    for (std::size_t g = grid.first[k]; g < grid.first[k + 1]; ++g) {
-      const StationGrid::Node& node = grid.nodes[g];
-      const Vec2 e = unit(node.angle + turn_at(node.s, internal));
-      position = position + node.weight * ((1.0 + flexure_.axial_compliance * dot(f, e)) * e +
-                                           flexure_.shear_compliance * dot(f, perp(e)) * perp(e));
-    }
+    const Vec2 t = unit(grid.angles[k] + turn.at_stations[k]);
+    states.push_back({{axis.at_stations[k], turn.at_stations[k]},
+                      dot(f, t),
+                      dot(f, perp(t)),
+                      load[2] + cross(axis.at_stations.back() - axis.at_stations[k], f)});
   }
   return states;
 }
@@ -220,7 +243,7 @@ void ExactPort::prolong(std::span<const double> internal, std::span<double> refi
 /// either side of the middle; its m-th Legendre coefficient is about g^m/(2m + 1)!!, and the tip's
 /// error is the square of that, since the tip makes a potential stationary.
 int likely_modes(double turning, double tolerance) {
-  const double g = 0.5 * turning + 0.4;
+  const double g = std::max(0.5 * turning + 0.4, 1.2);  // loads bend a straight one, too
   double coefficient = g / 3.0;
   int m = 1;
   while (m < most_modes - more_modes && coefficient * coefficient > 0.1 * tolerance) {

@@ -64,7 +64,7 @@ PseudoRigidPort::PseudoRigidPort(const FlexureProperties& flexure, const PseudoR
 
 TipResponse PseudoRigidPort::linearize(const Eigen::Vector3d& load, const double* internal,
                                        double* scratch) const {
-  const auto rigid = [](const auto& theta, const auto& fx, const auto& fy) {
+  const auto rigid = [](std::size_t, const auto& theta, const auto& fx, const auto& fy) {
     return reissner_mixed_potential(theta, fx, fy, 0.0, 0.0);
   };
   return linearize_angle_field(field_, rigid, load, internal, scratch);

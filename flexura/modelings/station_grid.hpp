@@ -19,11 +19,53 @@ struct StationGrid {
 
   explicit StationGrid(const AxisCurve& axis);
 
+  /// Integrals along the axis, from its base end, of a function given at the nodes.
+  template <class Value>
+  struct Integral {
+    std::vector<Value> at_nodes;
+    std::vector<Value> at_stations;
+  };
+  template <class Value>
+  Integral<Value> integrate(const std::vector<Value>& at_nodes) const;
+
   std::vector<double> s;        ///< of the stations
   std::vector<Vec2> positions;  ///< of the stations as drawn
   std::vector<double> angles;   ///< of the tangent at the stations as drawn
   std::vector<Node> nodes;
   std::vector<std::size_t> first;  ///< nodes[first[k]] .. nodes[first[k+1]] lie past station k
 };
+
+/// Nodes between two knots or stations, as many as the quadrature rule has.
+inline constexpr std::size_t nodes_per_interval = 6;
+
+/// The interpolating polynomials' integrals from the start of an interval to each of its nodes, in
+/// units of its length: entry (node, polynomial).
+const std::vector<double>& partial_integrals();
+
+template <class Value>
+auto StationGrid::integrate(const std::vector<Value>& at_nodes) const -> Integral<Value> {
+  const std::vector<double>& partial = partial_integrals();
+  Integral<Value> integral;
+  Value sum{};
+  std::size_t next_station = 0;
+  for (std::size_t start = 0; start <= nodes.size(); start += nodes_per_interval) {
+    if (next_station < first.size() && start == first[next_station]) {
+      integral.at_stations.push_back(sum);
+      ++next_station;
+    }
+    if (start == nodes.size()) break;
+    double length = 0.0;
+    for (std::size_t q = 0; q < nodes_per_interval; ++q) length += nodes[start + q].weight;
+    for (std::size_t g = 0; g < nodes_per_interval; ++g) {
+      Value here = sum;
+      for (std::size_t q = 0; q < nodes_per_interval; ++q)
+        here = here + (length * partial[g * nodes_per_interval + q]) * at_nodes[start + q];
+      integral.at_nodes.push_back(here);
+    }
+    for (std::size_t q = 0; q < nodes_per_interval; ++q)
+      sum = sum + nodes[start + q].weight * at_nodes[start + q];
+  }
+  return integral;
+}
 
 }  // namespace flexura

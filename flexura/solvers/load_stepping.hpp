@@ -124,6 +124,7 @@ SteppingSummary LoadStepping<Problem>::advance(double target) {
     }
     next_step_ = 0.5 * step;
     if (next_step_ < options_.smallest_step) {
+      if (step_over(target)) break;
       SteppingSummary followed = follow_arc(target);
       if (followed.outcome != SteppingOutcome::reached) return followed;
       next_step_ = 4.0 * options_.smallest_step;
