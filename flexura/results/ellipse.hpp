@@ -24,7 +24,7 @@ struct Line2 {
 struct Ellipse {
   double weight = 0.0;
   Vec2 centre;
-  double major = 0.0;        ///< semi-axes, major >= minor >= 0
+  double major = 0.0;  ///< semi-axes, major >= minor >= 0
   double minor = 0.0;
   double orientation = 0.0;  ///< angle of the major axis from global x, in (-pi/2, pi/2]
 };

@@ -32,9 +32,9 @@ struct PathState {
   double load_factor = 0.0;
   std::vector<Pose> bodies;
   std::vector<Vec2> points;
-  std::vector<Pose> mids;              ///< section at mid-length of every flexure
-  std::vector<Reaction> reactions;     ///< of every body, study `inverse` only
-  std::vector<std::vector<Vec2>> axes; ///< deformed axis of every flexure, for drawing
+  std::vector<Pose> mids;               ///< section at mid-length of every flexure
+  std::vector<Reaction> reactions;      ///< of every body, study `inverse` only
+  std::vector<std::vector<Vec2>> axes;  ///< deformed axis of every flexure, for drawing
   double strain_energy = 0.0;
   int unstable_directions = 0;  ///< negative eigenvalues of the tangent; 0 is stable
 };
@@ -50,7 +50,7 @@ struct ModelingPath {
   std::string label;
   std::string modeling;
   Termination termination;
-  std::vector<PathState> states;  ///< states[0] is the undeformed mechanism
+  std::vector<PathState> states;                    ///< states[0] is the undeformed mechanism
   std::vector<std::vector<MemberStation>> members;  ///< per flexure, at the last state
   std::vector<PathEvent> events;
   int unknowns = 0;
@@ -66,8 +66,8 @@ struct ModelingPath {
 
 /// All modelings of one study of kind `path` or `inverse`.
 struct PathResult {
-  std::vector<std::string> bodies;    ///< moving bodies
-  std::vector<std::string> points;    ///< "body.point", of moving bodies
+  std::vector<std::string> bodies;  ///< moving bodies
+  std::vector<std::string> points;  ///< "body.point", of moving bodies
   std::vector<std::string> flexures;
   std::vector<ModelingPath> modelings;
   std::size_t reference = 0;  ///< index into modelings

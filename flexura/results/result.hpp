@@ -27,7 +27,7 @@ struct DrawnBody {
   std::string name;
   bool fixed = false;
   Vec2 centre;
-  std::vector<Vec2> ends;    ///< flexure ends on it, in file order
+  std::vector<Vec2> ends;  ///< flexure ends on it, in file order
   std::vector<std::string> point_names;
   std::vector<Vec2> points;
 };
