@@ -6,7 +6,6 @@
 
 #include "flexura/assembly/two_port.hpp"
 #include "flexura/core/jet2.hpp"
-#include "flexura/core/ldlt.hpp"
 #include "flexura/core/symmetric_factor.hpp"
 
 namespace flexura {
@@ -114,16 +113,9 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
   }
   std::copy(columns, columns + 4 * m, coupling);
 
-  const BandLayout layout = dense_layout(m);
-  std::copy(tangent, tangent + m * m, factor);
   TipResponse response;
-  const LdltInertia inertia = factorize_ldlt(factor, layout, column);
-  response.negative = inertia.negative;
-  if (inertia.weak)
-    response.singular = !solve_symmetric(tangent, layout, columns, response.negative);
-  else
-    solve_ldlt<4>(factor, layout, columns);
-
+  response.singular =
+      !solve_symmetric(tangent, dense_layout(m), factor, column, columns, response.negative);
   response.strain_energy =
       bending + sum.value - load[0] * sum.gradient[1] - load[1] * sum.gradient[2];
   response.tip = {field.offset.x - sum.gradient[1], field.offset.y - sum.gradient[2], tip_rotation};

@@ -76,8 +76,12 @@ void System::set_scale() {
   }
   const double turn = 1.0 / std::sqrt(std::exp(energy));
   scale_.setConstant(turn);
-  for (const BodyIndex& body : bodies_)
-    if (body.position >= 0) scale_.segment<2>(body.position).setConstant(length_ * turn);
+  step_weight_.setOnes(static_cast<Eigen::Index>(moving_));
+  for (const BodyIndex& body : bodies_) {
+    if (body.position < 0) continue;
+    scale_.segment<2>(body.position).setConstant(length_ * turn);
+    step_weight_.segment<2>(body.position).setConstant(1.0 / length_);
+  }
 }
 
 Pose System::pose(std::size_t body, const std::vector<double>& z) const {

@@ -169,8 +169,9 @@ class System {
   double load_factor_ = 0.0;
   bool follower_ = false;
 
-  double length_ = 1.0;    // mean length of the flexures
-  Eigen::VectorXd scale_;  // symmetric scaling of the reduced unknowns
+  double length_ = 1.0;          // mean length of the flexures
+  Eigen::VectorXd scale_;        // symmetric scaling of the reduced unknowns
+  Eigen::VectorXd step_weight_;  // of bodies' unknowns in the size of a Newton step
   std::vector<MemberTangent> tangents_;
   Eigen::Index reduced_ = 0;  // bodies' unknowns, then kept loads
   Eigen::MatrixXd tangent_;   // its leading reduced_ rows and columns are in use

@@ -176,12 +176,8 @@ double System::newton_step(std::vector<double>& step) const {
   work_ = -residual_.head(reduced_);
   solve_scaled(work_);
   expand(work_, true, step);
-  double size = 0.0;
-  for (const BodyIndex& body : bodies_) {
-    if (body.position >= 0)
-      size = std::max(size, work_.segment<2>(body.position).cwiseAbs().maxCoeff() / length_);
-    if (body.rotation >= 0) size = std::max(size, std::abs(work_[body.rotation]));
-  }
+  const auto moving = static_cast<Eigen::Index>(moving_);
+  double size = work_.head(moving).cwiseProduct(step_weight_).lpNorm<Eigen::Infinity>();
   const std::size_t first_internal = moving_ + 3 * members_.size();
   for (std::size_t i = first_internal; i < size_; ++i) size = std::max(size, std::abs(step[i]));
   return std::isfinite(size) ? size : INFINITY;

@@ -57,7 +57,9 @@ void SymmetricFactor::solve(Eigen::Ref<Eigen::VectorXd> b) const {
   dsytrs_("L", &n, &one, factor_.data(), &n, pivots_.data(), b.data(), &n, &info, 1);
 }
 
-bool solve_symmetric(const double* a, const BandLayout& layout, double* columns, int& negative) {
+namespace {
+
+bool solve_pivoted(const double* a, const BandLayout& layout, double* columns, int& negative) {
   constexpr std::size_t largest_dense = 2000;
   if (layout.n > largest_dense) return false;
   const auto n = static_cast<Eigen::Index>(layout.n);
@@ -74,6 +76,18 @@ bool solve_symmetric(const double* a, const BandLayout& layout, double* columns,
     factor.solve(column);
     b.col(c) = column;
   }
+  return true;
+}
+
+}  // namespace
+
+bool solve_symmetric(const double* a, const BandLayout& layout, double* factor, double* column,
+                     double* right_hand_sides, int& negative) {
+  std::copy_n(a, layout.n * layout.row_stride, factor);
+  const LdltInertia inertia = factorize_ldlt(factor, layout, column);
+  if (inertia.weak) return solve_pivoted(a, layout, right_hand_sides, negative);
+  negative = inertia.negative;
+  solve_ldlt<4>(factor, layout, right_hand_sides);
   return true;
 }
 

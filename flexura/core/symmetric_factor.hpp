@@ -27,9 +27,11 @@ class SymmetricFactor {
   double pivot_ratio_ = 0.0;
 };
 
-/// Solves with a symmetric band matrix (laid out as for factorize_ldlt, not factorized) for four
-/// interleaved right-hand sides by the pivoted factorization, as a dense matrix. False where it is
-/// singular or too large for that. Allocates; for the rare matrix that factorize_ldlt finds weak.
-bool solve_symmetric(const double* a, const BandLayout& layout, double* columns, int& negative);
+/// Solves with a symmetric band matrix (laid out as for factorize_ldlt) for four interleaved
+/// right-hand sides, in place: unpivoted, and by the pivoted factorization of the dense matrix in
+/// the rare case that a pivot is weak. `factor` is scratch for a copy of the matrix, `column` for n
+/// doubles. `negative` counts negative eigenvalues; false where the matrix is singular.
+bool solve_symmetric(const double* a, const BandLayout& layout, double* factor, double* column,
+                     double* right_hand_sides, int& negative);
 
 }  // namespace flexura

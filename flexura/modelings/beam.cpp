@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "flexura/core/jet2.hpp"
-#include "flexura/core/ldlt.hpp"
 #include "flexura/core/symmetric_factor.hpp"
 #include "flexura/energy/reissner.hpp"
 #include "flexura/modelings/beam_common.hpp"
@@ -121,17 +120,9 @@ TipResponse BeamPort::linearize(const Eigen::Vector3d& load, const double* y,
     columns[4 * (last + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
     columns[4 * (last + c) + c + 1] = -lever[c];
   }
-  const BandLayout layout = band_layout(m, width());
   const std::size_t size = m * (width() + 1);
-  double* factor = band + size;
-  double* column = factor + size;
-  std::copy_n(band, size, factor);
-  const LdltInertia inertia = factorize_ldlt(factor, layout, column);
-  response.negative = inertia.negative;
-  if (inertia.weak)
-    response.singular = !solve_symmetric(band, layout, columns, response.negative);
-  else
-    solve_ldlt<4>(factor, layout, columns);
+  response.singular = !solve_symmetric(band, band_layout(m, width()), band + size, band + 2 * size,
+                                       columns, response.negative);
   response.tip << chord_.x, chord_.y, 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto row = static_cast<Eigen::Index>(c);

@@ -99,8 +99,8 @@ inline bool Newton::is_done(double size, double contraction) const {
   return size < rounding_floor && contraction > 0.3;
 }
 
-/// One step, halved until the next one is not larger. Above half of the size of the first, a larger
-/// next step would mean running away; equal is allowed, since large rotations unwind slowly.
+/// One step, halved until the next one is not larger; from a shortened step, twice as large is not
+/// running away yet.
 template <NewtonProblem Problem>
 bool Newton::advance(Problem& problem, NewtonSummary& summary) {
   double factor = 1.0;

@@ -91,11 +91,14 @@ TEST(SolveSymmetric, BandsThatNeedPivoting) {
   const Columns b = Columns::Random();
   Columns x = b;
   int negative = -1;
-  ASSERT_TRUE(solve_symmetric(band.data(), layout, x.data(), negative));
+  std::vector<double> factor(band.size()), column(9);
+  ASSERT_TRUE(
+      solve_symmetric(band.data(), layout, factor.data(), column.data(), x.data(), negative));
   EXPECT_EQ(negative, negative_eigenvalues(a));
   EXPECT_LT((a * x - b).cwiseAbs().maxCoeff(), 1e-12);
   const std::vector<double> zero(29, 0.0);
-  EXPECT_FALSE(solve_symmetric(zero.data(), layout, x.data(), negative));
+  EXPECT_FALSE(
+      solve_symmetric(zero.data(), layout, factor.data(), column.data(), x.data(), negative));
 }
 
 TEST(SymmetricFactor, NothingToFactorizeIsRegular) {
