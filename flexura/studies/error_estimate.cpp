@@ -22,7 +22,7 @@ bool ErrorEstimate::solve(const System& system, const std::vector<double>& z, in
     add_scaled(z_, 1.0, step_);
     distances.push_back(finer_->distance(z_, start));
     if (k == 1) first = size;
-    if (k == enough_ && first <= 2.0 * calibrated_at_) return true;
+    if (k == enough_ && first <= largest_first_step_) return true;
     // what is left is of the order of this step's square
     const bool settled = k > 1 && size * size <= 0.02 * distances.back();
     const bool rounding = size < 1e-13 || (size < 1e-9 && size > 0.3 * before);
@@ -36,11 +36,16 @@ bool ErrorEstimate::solve(const System& system, const std::vector<double>& z, in
 }
 
 void ErrorEstimate::calibrate(const std::vector<double>& distances, double first_step) {
-  calibrated_at_ = first_step;
+  constexpr double allowed = 0.05;
+  const double converged = distances.back();
+  const auto off = [&](int iterations) {
+    return std::abs(distances[static_cast<std::size_t>(iterations) - 1] - converged);
+  };
   enough_ = static_cast<int>(distances.size());
-  while (enough_ > 1 && std::abs(distances[static_cast<std::size_t>(enough_) - 2] -
-                                 distances.back()) <= 0.05 * distances.back())
-    --enough_;
+  while (enough_ > 1 && off(enough_ - 1) <= allowed * converged) --enough_;
+  // what the iterations left out would change grows at most like the first step, relatively
+  const double margin = allowed * converged / std::max(off(enough_), 1e-3 * allowed * converged);
+  largest_first_step_ = first_step * std::clamp(margin, 2.0, 50.0);
 }
 
 }  // namespace flexura

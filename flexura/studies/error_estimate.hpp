@@ -23,13 +23,13 @@ class ErrorEstimate {
   std::unique_ptr<System> release() { return std::move(finer_); }
 
  private:
-  /// Learns how many iterations leave the estimate within 5 % of the converged one; that holds
-  /// until the first step, which grows with the loads, has doubled.
+  /// Learns how many iterations leave the estimate within 5 % of the converged one, and up to which
+  /// size of the first step, which grows with the loads, that will hold.
   void calibrate(const std::vector<double>& distances, double first_step);
 
   std::unique_ptr<System> finer_;
   int enough_ = 0;
-  double calibrated_at_ = 0.0;
+  double largest_first_step_ = 0.0;
   std::vector<double> z_;
   std::vector<double> step_;
 };
