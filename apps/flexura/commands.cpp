@@ -24,6 +24,12 @@ namespace {
 
 std::atomic<bool> interrupted = false;
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 /// Reads the model or says what is wrong with it.
 std::optional<Model> read_or_complain(const ModelArguments& arguments) {
   ParameterOverrides overrides;
@@ -33,7 +39,7 @@ std::optional<Model> read_or_complain(const ModelArguments& arguments) {
       print_error(fmt::format("--set takes name=value, got '{}'", assignment));
       return {};
     }
-    overrides[assignment.substr(0, equals)] = assignment.substr(equals + 1);
+    overrides[trimmed(assignment.substr(0, equals))] = trimmed(assignment.substr(equals + 1));
   }
   ModelReading reading = read_model(arguments.file, overrides);
   print_diagnostics(arguments.file.string(), reading.diagnostics);
@@ -110,7 +116,11 @@ int run_command(const RunArguments& arguments) {
     print_error(outcome.error);
     return stopped_early;
   }
-  if (!arguments.quiet) {
+  if (arguments.quiet) {
+    for (const StudyResult& study : result.studies)
+      if (!study.termination.converged())
+        print_error(fmt::format("{}: {}", study.name, study.termination.reason));
+  } else {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     fmt::print("{}", make_comparison_table(result, is_coloured(STDOUT_FILENO)));
     fmt::print("\n{:.2f} s; report: {}\n", took.count(), (folder / "report.html").string());

@@ -120,6 +120,8 @@ template <LoadedProblem Problem>
 bool ArcLength<Problem>::locate(const State& before, double size, State& limit) {
   double low = 0.0, high = size;
   double at_low = before.tangent_load, at_high = limit.tangent_load;
+  // the tangent's load component has no scale of its own: huge loads make it tiny everywhere
+  const double steepness = std::max(std::abs(at_low), std::abs(at_high));
   for (int k = 0; k < 60 && high - low > 1e-10 * size; ++k) {
     double middle = low + (high - low) * at_low / (at_low - at_high);
     if (k % 3 == 2) middle = 0.5 * (low + high);
@@ -133,9 +135,9 @@ bool ArcLength<Problem>::locate(const State& before, double size, State& limit) 
       at_high = trial.tangent_load;
     }
     if (std::abs(trial.tangent_load) < std::abs(limit.tangent_load)) limit = std::move(trial);
-    if (std::abs(limit.tangent_load) < 1e-9) break;
+    if (std::abs(limit.tangent_load) < 1e-8 * steepness) break;
   }
-  return std::abs(limit.tangent_load) < 1e-4;
+  return std::abs(limit.tangent_load) < 1e-3 * steepness;
 }
 
 template <LoadedProblem Problem>
@@ -153,9 +155,14 @@ ArcPassage ArcLength<Problem>::pass(const CurvePoint& start, double target) {
       size *= 0.5;
       continue;
     }
+    // forward at both ends, yet back in between: the step fell onto another part of the path
+    if (next.tangent_load > 0.0 && next.load_factor <= here.load_factor) {
+      size *= 0.5;
+      continue;
+    }
     if (next.tangent_load <= 0.0) {
       State limit = next;
-      if (!locate(here, size, limit)) break;
+      if (!locate(here, size, limit) || limit.load_factor <= start.parameter) break;
       passage = {ArcOutcome::limit_point, limit.load_factor, limit.z, iterations_};
       return passage;
     }

@@ -79,6 +79,8 @@ class LoadStepping {
   Energy energy_at(const std::vector<double>& z, std::vector<double>& slope);
   SteppingSummary follow_arc(double target);
 
+  static constexpr int most_tries = 300;  // for one load factor asked for
+
   Problem* problem_;
   SteppingOptions options_;
   Newton newton_;
@@ -114,7 +116,8 @@ auto LoadStepping<Problem>::energy_at(const std::vector<double>& z, std::vector<
 
 template <LoadedProblem Problem>
 SteppingSummary LoadStepping<Problem>::advance(double target) {
-  while (points_.back().parameter < target) {
+  for (int tries = 0; points_.back().parameter < target; ++tries) {
+    if (tries == most_tries) return {SteppingOutcome::lost, points_.back().parameter, {}};
     const double from = points_.back().parameter;
     double step = std::min(next_step_, target - from);
     if (target - from - step < 0.2 * step) step = target - from;
@@ -276,7 +279,10 @@ SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
   problem_->set_load_factor(passage.load_factor);
   ++iterations_;
   if (!problem_->linearize(passage.z)) return {SteppingOutcome::lost, here, {}};
-  unstable_ = problem_->unstable_directions();
+  const int unstable = problem_->unstable_directions();
+  if (unstable != unstable_)
+    changes_.push_back({passage.load_factor, unstable_, unstable, passage.z});
+  unstable_ = unstable;
   const Energy energy = energy_at(passage.z, slope_);
   accept(passage.load_factor, passage.z, energy);
   return {SteppingOutcome::reached, passage.load_factor, {}};

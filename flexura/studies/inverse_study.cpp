@@ -109,13 +109,12 @@ PathState make_state(const Model& model, const System& system, const std::vector
 std::string why_not(NewtonOutcome outcome, double factor) {
   if (outcome == NewtonOutcome::diverged)
     return fmt::format(
-        "no equilibrium found at factor {:.6g}: ask for more steps or smaller "
+        "no equilibrium found at factor {:.6g}, by steps of any size: ask for smaller "
         "displacements",
         factor);
-  return fmt::format(
-      "a flexure cannot follow the prescribed displacement at factor {:.6g}: without "
-      "axial strain, a straight one has a single length",
-      factor);
+  return "a flexure cannot follow prescribed displacements by this modeling: without axial strain, "
+         "a "
+         "straight one has a single length";
 }
 
 }  // namespace
@@ -134,12 +133,29 @@ ModelingPath run_inverse(const Model& model, const InverseStudy& study,
   path.unknowns = static_cast<int>(system.size());
   path.termination.status = Status::converged;
   Newton newton({1e-12, 40, 8});
-  for (int step = 0; step <= study.steps; ++step) {
-    const double factor = static_cast<double>(step) / study.steps;
+  const auto hold_at = [&](double factor) {
     const std::vector<Pose> poses = place_bodies(model, placed, factor, system.linearised());
     for (std::size_t b = 0; b < poses.size(); ++b) system.hold(b, poses[b]);
-    const NewtonSummary summary = newton.solve(system, z);
-    path.iterations += summary.iterations;
+  };
+  double reached = 0.0;
+  for (int step = 0; step <= study.steps; ++step) {
+    const double factor = static_cast<double>(step) / study.steps;
+    NewtonSummary summary;
+    // a step too large for Newton's method is taken in parts
+    for (double part = factor - reached; part >= 1e-5 || step == 0;) {
+      const double to = factor - reached - part < 1e-9 ? factor : reached + part;
+      hold_at(to);
+      summary = newton.solve(system, z);
+      path.iterations += summary.iterations;
+      if (step == 0) break;
+      if (summary.outcome == NewtonOutcome::converged) {
+        reached = to;
+        if (to == factor) break;
+        part = std::min(2.0 * part, factor - reached);
+      } else {
+        part *= 0.5;
+      }
+    }
     if (summary.outcome != NewtonOutcome::converged || !system.linearize(z)) {
       path.termination = {Status::stopped, why_not(summary.outcome, factor)};
       break;
@@ -167,9 +183,9 @@ void compare_reactions(PathResult& result) {
     }
   for (std::size_t m = 0; m < result.modelings.size(); ++m) {
     ModelingPath& path = result.modelings[m];
-    if (m == result.reference || path.states.empty() || reference.states.empty()) continue;
-    double worst = 0.0;
     const std::size_t states = std::min(path.states.size(), reference.states.size());
+    if (m == result.reference || states < 2) continue;  // the start alone says nothing
+    double worst = 0.0;
     for (std::size_t k = 0; k < states; ++k)
       for (std::size_t b = 0; b < path.states[k].reactions.size(); ++b) {
         const Reaction& here = path.states[k].reactions[b];

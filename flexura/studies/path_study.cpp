@@ -13,6 +13,7 @@ namespace {
 // Points that hardly move would turn rounding into a relative difference.
 constexpr double hardly_moves = 1e-6;  // of the largest displacement of any point
 constexpr double stands_still = 1e-9;  // of the mechanism's size
+constexpr double rounding = 2e-15;     // likewise, of a distance
 
 std::vector<Vec2> points_of(const PathState& state) {
   if (!state.points.empty()) return state.points;
@@ -49,13 +50,18 @@ std::vector<double> largest_displacements(const std::vector<PathState>& states) 
   return largest;
 }
 
+/// Absent where any state but the first has no estimate.
 std::optional<double> relative_error(const TracedPath& traced,
                                      const std::vector<PathState>& states) {
   const std::vector<double> size = largest_displacements(states);
-  std::optional<double> worst;
-  for (const TracedState& state : traced.states)
+  const double noise = rounding * mechanism_size(states.front());
+  if (traced.states.size() < 2) return {};
+  double worst = 0.0;
+  for (const TracedState& state : traced.states) {
+    if (state.errors.empty()) return {};
     for (std::size_t p = 0; p < state.errors.size(); ++p)
-      worst = std::max(worst.value_or(0.0), size[p] > 0.0 ? state.errors[p] / size[p] : 0.0);
+      if (state.errors[p] > noise) worst = std::max(worst, state.errors[p] / size[p]);
+  }
   return worst;
 }
 
@@ -101,16 +107,18 @@ void compare_with_reference(PathResult& result) {
   const ModelingPath& reference = result.modelings[result.reference];
   if (reference.states.empty()) return;
   const std::vector<double> size = largest_displacements(reference.states);
+  const double noise = rounding * mechanism_size(reference.states.front());
   for (std::size_t m = 0; m < result.modelings.size(); ++m) {
     ModelingPath& path = result.modelings[m];
-    if (m == result.reference || path.states.empty()) continue;
     const std::size_t states = std::min(path.states.size(), reference.states.size());
+    if (m == result.reference || states < 2) continue;  // the start alone says nothing
     double worst = 0.0;
     for (std::size_t k = 0; k < states; ++k) {
       const std::vector<Vec2> here = points_of(path.states[k]);
       const std::vector<Vec2> there = points_of(reference.states[k]);
       for (std::size_t p = 0; p < here.size(); ++p)
-        if (size[p] > 0.0) worst = std::max(worst, norm(here[p] - there[p]) / size[p]);
+        if (norm(here[p] - there[p]) > noise)
+          worst = std::max(worst, norm(here[p] - there[p]) / size[p]);
     }
     path.difference = worst;
   }

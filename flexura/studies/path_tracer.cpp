@@ -91,9 +91,12 @@ TracedPath PathTracer::run() {
     if (!settle(stepping)) {
       path_.termination = {
           Status::stopped,
-          fmt::format("the state at load factor {:.6g} could not be solved again "
-                      "with a finer discretization, or with Howell's parameters for "
-                      "its own load; more steps may help",
+          fmt::format(follows_load_ratio(settings_)
+                          ? fmt::runtime("Howell's parameters do not settle at load factor {:.6g}: "
+                                         "give a load_ratio")
+                          : fmt::runtime("the finer discretization that the state at load factor "
+                                         "{:.6g} asks for has no equilibrium near it; more steps "
+                                         "may help"),
                       load_factor)};
       break;
     }
@@ -199,6 +202,13 @@ void PathTracer::stop(const SteppingSummary& summary) {
         "limit point at load factor {0:.6g}: along this path the mechanism carries no more of its "
         "loads, and snaps away. Scale the loads by {1:.4g} or less",
         summary.load_factor, rounded_down(summary.load_factor));
+    const auto lost = std::find_if(path_.events.begin(), path_.events.end(), [](const auto& event) {
+      return event.kind == "stability lost";
+    });
+    if (lost != path_.events.end())
+      path_.termination.reason += fmt::format(
+          "; but it has been unstable from load factor {:.6g} on, and leaves this path there",
+          lost->load_factor);
     return;
   }
   path_.termination.reason = fmt::format(
