@@ -81,6 +81,19 @@ std::filesystem::path results_folder(const RunArguments& arguments) {
   return arguments.model.file.stem().string() + ".results";
 }
 
+/// What a quiet run still has to say: which modelings stopped, and why.
+void print_stops(const Result& result) {
+  for (const StudyResult& study : result.studies) {
+    const auto* path = std::get_if<PathResult>(&study.content);
+    if (!path && !study.termination.converged())
+      print_error(fmt::format("{}: {}", study.name, study.termination.reason));
+    for (const ModelingPath& modeling : path ? path->modelings : std::vector<ModelingPath>{})
+      if (!modeling.termination.converged())
+        print_error(
+            fmt::format("{}: {}: {}", study.name, modeling.label, modeling.termination.reason));
+  }
+}
+
 bool all_converged(const Result& result) {
   for (const StudyResult& study : result.studies)
     if (!study.termination.converged()) return false;
@@ -117,9 +130,7 @@ int run_command(const RunArguments& arguments) {
     return stopped_early;
   }
   if (arguments.quiet) {
-    for (const StudyResult& study : result.studies)
-      if (!study.termination.converged())
-        print_error(fmt::format("{}: {}", study.name, study.termination.reason));
+    print_stops(result);
   } else {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     fmt::print("{}", make_comparison_table(result, is_coloured(STDOUT_FILENO)));

@@ -138,15 +138,15 @@ class Run {
   std::vector<std::function<void()>> tasks_;
 };
 
-/// A study stopped where one of its modelings did.
+/// A study stopped where one of its modelings did; each of them says why.
 Termination summarize(const PathResult& path) {
   Termination summary{Status::converged, {}};
   for (const ModelingPath& modeling : path.modelings) {
     if (modeling.termination.converged()) continue;
     summary.status = Status::stopped;
-    if (!summary.reason.empty()) summary.reason += "; ";
-    summary.reason += modeling.label + ": " + modeling.termination.reason;
+    summary.reason += (summary.reason.empty() ? "" : ", ") + modeling.label;
   }
+  if (!summary.converged()) summary.reason += " stopped early";
   return summary;
 }
 

@@ -36,7 +36,7 @@ class Chart {
   }
 
   scales() {
-    const points = this.lines.flatMap((line) => line.points);
+    const points = this.lines.flatMap((line) => [...line.points, ...(line.marks || [])]);
     const xs = this.options.xRange || d3.extent(points, (p) => p.x);
     this.x = d3.scaleLinear().domain(xs).range([this.margin.left, this.width - this.margin.right]);
     const range = [this.height - this.margin.bottom, this.margin.top];
