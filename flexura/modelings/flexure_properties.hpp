@@ -12,8 +12,6 @@ struct FlexureProperties {
   double bending_stiffness = 0.0;  ///< EI
   double axial_compliance = 0.0;   ///< 1/EA
   double shear_compliance = 0.0;   ///< 1/GA_s
-  double area = 0.0;
-  double section_modulus = 0.0;  ///< I over the distance of the extreme fibre
 };
 
 FlexureProperties flexure_properties(const Model& model, const Flexure& flexure, bool axial,

@@ -112,9 +112,8 @@ std::string why_not(NewtonOutcome outcome, double factor) {
         "no equilibrium found at factor {:.6g}, by steps of any size: ask for smaller "
         "displacements",
         factor);
-  return "a flexure cannot follow prescribed displacements by this modeling: without axial strain, "
-         "a "
-         "straight one has a single length";
+  return "a flexure cannot follow prescribed displacements by this modeling: without axial "
+         "strain, a straight one has a single length";
 }
 
 }  // namespace
@@ -142,8 +141,9 @@ ModelingPath run_inverse(const Model& model, const InverseStudy& study,
     const double factor = static_cast<double>(step) / study.steps;
     NewtonSummary summary;
     // a step too large for Newton's method is taken in parts
-    for (double part = factor - reached; part >= 1e-5 || step == 0;) {
-      const double to = factor - reached - part < 1e-9 ? factor : reached + part;
+    const double smallest = 1e-4 * (factor - reached);
+    for (double part = factor - reached; part >= smallest;) {
+      const double to = factor - reached - part < smallest ? factor : reached + part;
       hold_at(to);
       summary = newton.solve(system, z);
       path.iterations += summary.iterations;
@@ -158,6 +158,7 @@ ModelingPath run_inverse(const Model& model, const InverseStudy& study,
     }
     if (summary.outcome != NewtonOutcome::converged || !system.linearize(z)) {
       path.termination = {Status::stopped, why_not(summary.outcome, factor)};
+      hold_at(reached);  // where the last state is, for its section forces
       break;
     }
     path.states.push_back(make_state(model, system, z, factor));
