@@ -9,7 +9,7 @@ System::System(SystemLayout layout) : layout_(std::move(layout)) {
   follower_ = !layout_.linearised && std::any_of(layout_.loads.begin(), layout_.loads.end(),
                                                  [](const auto& load) { return load.follower; });
   number_unknowns();
-  const auto most = static_cast<Eigen::Index>(moving_ + 3 * members_.size());
+  const auto most = static_cast<Eigen::Index>(primary_ + 3 * members_.size());
   tangent_.setZero(most, most);
   residual_.setZero(most);
   load_vector_.setZero(most);
@@ -50,10 +50,11 @@ void System::number_unknowns() {
     members_.push_back(index);
   }
   moving_ = static_cast<std::size_t>(next);
-  size_ = moving_ + 3 * members_.size();
+  primary_ = moving_ + layout_.prescribed.size();
+  size_ = primary_ + 3 * members_.size();
   std::size_t scratch = 0;
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k].load = moving_ + 3 * k;
+    members_[k].load = primary_ + 3 * k;
     members_[k].internal = size_;
     members_[k].scratch = scratch;
     size_ += layout_.members[k].port->internal_size();
@@ -81,6 +82,11 @@ void System::set_scale() {
     if (body.position < 0) continue;
     scale_.segment<2>(body.position).setConstant(length_ * turn);
     step_weight_.segment<2>(body.position).setConstant(1.0 / length_);
+  }
+  for (std::size_t i = 0; i < layout_.prescribed.size(); ++i) {
+    const bool turns =
+        layout_.prescribed[i].component == SystemLayout::Prescribed::Component::rotation;
+    scale_[static_cast<Eigen::Index>(moving_ + i)] = 1.0 / (turns ? turn : length_ * turn);
   }
 }
 
@@ -157,12 +163,22 @@ double System::load_displacement(const std::vector<double>& z) const {
     work += dot(load.force, moved_point(load.body, drawn, z) - drawn) +
             load.moment * pose(load.body, z).rotation;
   }
+  for (std::size_t i = 0; i < layout_.prescribed.size(); ++i)
+    work -= layout_.prescribed[i].value * prescribed_reaction(i, z);
   return work;
 }
 
+double System::stored_energy(const std::vector<double>& z) const {
+  double energy = strain_energy_;
+  for (std::size_t i = 0; i < layout_.prescribed.size(); ++i)
+    energy -= load_factor_ * layout_.prescribed[i].value * prescribed_reaction(i, z);
+  return energy;
+}
+
 double System::load_rate(const std::vector<double>& direction) const {
-  return load_vector_.head(static_cast<Eigen::Index>(moving_))
-      .dot(Eigen::Map<const Eigen::VectorXd>(direction.data(), static_cast<Eigen::Index>(moving_)));
+  const auto primary = static_cast<Eigen::Index>(primary_);
+  return load_vector_.head(primary).dot(
+      Eigen::Map<const Eigen::VectorXd>(direction.data(), primary));
 }
 
 double System::inner(const std::vector<double>& a, const std::vector<double>& b) const {
@@ -224,7 +240,7 @@ std::unique_ptr<System> System::refined() const {
 
 std::vector<double> System::prolong(const std::vector<double>& z, const System& refined) const {
   std::vector<double> out(refined.size_, 0.0);
-  std::copy_n(z.begin(), moving_ + 3 * members_.size(), out.begin());
+  std::copy_n(z.begin(), primary_ + 3 * members_.size(), out.begin());
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const auto& fine = refined.members_[k];
     const std::size_t count = refined.layout_.members[k].port->internal_size();

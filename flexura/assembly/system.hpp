@@ -39,18 +39,31 @@ struct SystemLayout {
     bool follower = false;
   };
 
+  /// A displacement or rotation of a point of a body that is imposed, in proportion to the load
+  /// factor.
+  struct Prescribed {
+    enum class Component { x, y, rotation };
+    std::size_t body = 0;
+    Vec2 arm;  ///< from the body's centre, as drawn
+    Component component = Component::x;
+    double value = 0.0;  ///< at load factor 1
+  };
+
   std::vector<Body> bodies;
   std::vector<Member> members;
   std::vector<Load> loads;
+  std::vector<Prescribed> prescribed;
   /// Small displacements: kinematics to first order about the drawn state.
   bool linearised = false;
 };
 
 /// A mechanism as unknowns, equilibrium equations and their tangent. The unknowns z are the
-/// displacements and rotations of the bodies (and rotations of pinned ends), the load (force x,
-/// force y, moment, in axes of the base section) of every flexure, and each flexure's internal
-/// unknowns; equilibrium is a stationary point of the potential
-///     sum_k [ W_k(y_k, load_k) + load_k . relative_pose_k(q) ] - load_factor * (work of loads).
+/// displacements and rotations of the bodies (and rotations of pinned ends), the reaction of
+/// everything prescribed, the load (force x, force y, moment, in axes of the base section) of every
+/// flexure, and each flexure's internal unknowns; equilibrium is a stationary point of the
+/// potential
+///     sum_k [ W_k(y_k, load_k) + load_k . relative_pose_k(q) ] - load_factor * (work of loads)
+///         - sum_i reaction_i (displacement_i(q) - load_factor * value_i).
 /// Internal unknowns are eliminated flexure by flexure, and so is the load of every flexure whose
 /// flexibility is regular; the load of one that cannot stretch, say, stays. What remains is one
 /// symmetric matrix, whose inertia tells stability. Follower loads make it unsymmetric.
@@ -89,10 +102,13 @@ class System {
   double distance(const std::vector<double>& a, const std::vector<double>& b) const;
 
   // Of the last linearization:
-  /// Negative eigenvalues of the tangent on displacements that keep the flexures closed: 0 is
-  /// stable. With follower loads only its parity is known (0 or 1).
+  /// Negative eigenvalues of the tangent on displacements that keep the flexures closed and what is
+  /// prescribed where it is: 0 is stable. With follower loads only its parity is known (0 or 1).
   int unstable_directions() const;
   double strain_energy() const { return strain_energy_; }
+  /// The strain energy less the work of the reactions on what is prescribed: its change along a
+  /// path is the load factor times that of `load_displacement`.
+  double stored_energy(const std::vector<double>& z) const;
   /// Whether the mechanism can move without resistance, to rounding. Meant for the unloaded state:
   /// under load a flexure alone may be critical while the mechanism is not.
   bool is_singular() const { return pivot_ratio_ < 1e-13; }
@@ -107,7 +123,14 @@ class System {
   Pose base_section(std::size_t member, const std::vector<double>& z) const;
   Eigen::Vector3d member_load(std::size_t member, const std::vector<double>& z) const;
   std::span<const double> internal(std::size_t member, const std::vector<double>& z) const;
-  /// Sum of dead loads' forces times the displacements of their points, at load factor 1.
+  /// Force (or moment) that holds the i-th prescribed displacement (or rotation).
+  double prescribed_reaction(std::size_t i, const std::vector<double>& z) const {
+    return z[reaction_index(i)];
+  }
+  /// Its place in z.
+  std::size_t reaction_index(std::size_t i) const { return moving_ + i; }
+  /// Sum of dead loads' forces times the displacements of their points, less that of prescribed
+  /// values times their reactions, at load factor 1.
   double load_displacement(const std::vector<double>& z) const;
   /// The loads' work per load factor along a change of z, of the last linearization.
   double load_rate(const std::vector<double>& direction) const;
@@ -155,6 +178,7 @@ class System {
   bool add_member(std::size_t member, const std::vector<double>& z);
   void keep_load(std::size_t member, const Eigen::Matrix3d& flexibility);
   void add_load(const SystemLayout::Load& load, const std::vector<double>& z);
+  void add_prescribed(std::size_t i, const std::vector<double>& z);
   bool factorize();
   void solve_scaled(Eigen::VectorXd& b) const;
   void expand(const Eigen::VectorXd& reduced, bool with_residual, std::vector<double>& step) const;
@@ -165,6 +189,7 @@ class System {
   std::vector<Pose> held_;
   std::vector<RelativePose> drawn_;  // at the undeformed state, for linearised kinematics
   std::size_t moving_ = 0;           // unknowns of bodies and pinned ends
+  std::size_t primary_ = 0;          // and reactions of what is prescribed
   std::size_t size_ = 0;
   double load_factor_ = 0.0;
   bool follower_ = false;
@@ -173,7 +198,7 @@ class System {
   Eigen::VectorXd scale_;        // symmetric scaling of the reduced unknowns
   Eigen::VectorXd step_weight_;  // of bodies' unknowns in the size of a Newton step
   std::vector<MemberTangent> tangents_;
-  Eigen::Index reduced_ = 0;  // bodies' unknowns, then kept loads
+  Eigen::Index reduced_ = 0;  // bodies' unknowns, prescribed reactions, then kept loads
   Eigen::MatrixXd tangent_;   // its leading reduced_ rows and columns are in use
   Eigen::VectorXd residual_;
   Eigen::VectorXd load_vector_;  // of all loads at full load factor, at the last z

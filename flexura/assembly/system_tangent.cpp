@@ -108,8 +108,39 @@ void System::add_load(const SystemLayout::Load& load, const std::vector<double>&
   }
 }
 
+/// The row and column of a reaction, from -reaction (displacement - load factor * value).
+void System::add_prescribed(std::size_t i, const std::vector<double>& z) {
+  using Component = SystemLayout::Prescribed::Component;
+  const SystemLayout::Prescribed& prescribed = layout_.prescribed[i];
+  const BodyIndex& index = bodies_[prescribed.body];
+  const auto row = static_cast<Eigen::Index>(moving_ + i);
+  const double reaction = prescribed_reaction(i, z);
+  load_vector_[row] = -prescribed.value;
+  const auto couple = [&](int unknown, double slope) {
+    tangent_(row, unknown) -= slope;
+    tangent_(unknown, row) -= slope;
+    residual_[unknown] -= reaction * slope;
+  };
+  if (prescribed.component == Component::rotation) {
+    residual_[row] = -pose(prescribed.body, z).rotation;
+    couple(index.rotation, 1.0);
+    return;
+  }
+  const bool along_x = prescribed.component == Component::x;
+  const Vec2 drawn = layout_.bodies[prescribed.body].centre + prescribed.arm;
+  const Vec2 moved = moved_point(prescribed.body, drawn, z) - drawn;
+  residual_[row] = along_x ? -moved.x : -moved.y;
+  couple(index.position + (along_x ? 0 : 1), 1.0);
+  if (index.rotation < 0) return;
+  const double turn = layout_.linearised ? 0.0 : pose(prescribed.body, z).rotation;
+  const Vec2 arm = rotate(turn, prescribed.arm);
+  couple(index.rotation, along_x ? -arm.y : arm.x);
+  if (!layout_.linearised)
+    tangent_(index.rotation, index.rotation) += reaction * (along_x ? arm.x : arm.y);
+}
+
 bool System::linearize(const std::vector<double>& z) {
-  reduced_ = static_cast<Eigen::Index>(moving_);
+  reduced_ = static_cast<Eigen::Index>(primary_);
   tangent_.topLeftCorner(reduced_, reduced_).setZero();
   residual_.head(reduced_).setZero();
   load_vector_.setZero();
@@ -118,6 +149,7 @@ bool System::linearize(const std::vector<double>& z) {
   for (std::size_t k = 0; k < members_.size(); ++k)
     if (!add_member(k, z)) return false;
   for (const auto& load : layout_.loads) add_load(load, z);
+  for (std::size_t i = 0; i < layout_.prescribed.size(); ++i) add_prescribed(i, z);
   residual_.head(reduced_) -= load_factor_ * load_vector_.head(reduced_);
   return residual_.head(reduced_).allFinite() && factorize();
 }
@@ -149,7 +181,7 @@ void System::solve_scaled(Eigen::VectorXd& b) const {
 void System::expand(const Eigen::VectorXd& reduced, bool with_residual,
                     std::vector<double>& step) const {
   step.resize(size_);
-  std::copy_n(reduced.data(), moving_, step.begin());
+  std::copy_n(reduced.data(), primary_, step.begin());
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const MemberIndex& index = members_[k];
     const MemberTangent& tangent = tangents_[k];
@@ -178,7 +210,7 @@ double System::newton_step(std::vector<double>& step) const {
   expand(work_, true, step);
   const auto moving = static_cast<Eigen::Index>(moving_);
   double size = work_.head(moving).cwiseProduct(step_weight_).lpNorm<Eigen::Infinity>();
-  const std::size_t first_internal = moving_ + 3 * members_.size();
+  const std::size_t first_internal = primary_ + 3 * members_.size();
   for (std::size_t i = first_internal; i < size_; ++i) size = std::max(size, std::abs(step[i]));
   return std::isfinite(size) ? size : INFINITY;
 }
@@ -190,7 +222,8 @@ void System::load_direction(std::vector<double>& direction) const {
 }
 
 int System::unstable_directions() const {
-  const int closures = 3 * static_cast<int>(members_.size());
+  const int closures =
+      3 * static_cast<int>(members_.size()) + static_cast<int>(layout_.prescribed.size());
   if (!follower_) return factor_.negative() + eliminated_negative_ - closures;
   int sign = lu_.permutationP().determinant() > 0 ? 0 : 1;
   for (Eigen::Index i = 0; i < lu_.rows(); ++i)

@@ -8,8 +8,9 @@
 namespace flexura {
 namespace {
 
-/// "body" or "body.point".
-void read_target(Reading& reading, const Place& place, const StudyNames& names, Load& load) {
+/// "body" or "body.point"; of a Load or a Prescribed.
+template <typename Target>
+void read_target(Reading& reading, const Place& place, const StudyNames& names, Target& load) {
   const auto text = read_text(reading, place);
   if (!text) return;
   const auto dot = text->find('.');
@@ -44,6 +45,22 @@ std::vector<Load> read_loads(Reading& reading, const Place& place, const StudyNa
     loads.push_back(read_load(reading, entry, names));
   }
   return loads;
+}
+
+Prescribed read_prescribed(Reading& reading, const Place& place, const StudyNames& names) {
+  Prescribed prescribed;
+  prescribed.body = NameIndex::none;
+  TableReader table(reading, place, vocabulary::prescribed());
+  if (const auto target = table.require("on")) read_target(reading, *target, names, prescribed);
+  const bool any = table.has("x") || table.has("y") || table.has("rotation");
+  if (place.node->table() && !any && !reading.has_mistake(place.path)) {
+    reading.report(place.path, place.node->position,
+                   "what is prescribed needs x = .., y = .. or rotation = .. (or several)");
+  }
+  prescribed.x = table.optional_quantity("x", dimensions::length);
+  prescribed.y = table.optional_quantity("y", dimensions::length);
+  prescribed.rotation = table.optional_quantity("rotation", dimensions::angle);
+  return prescribed;
 }
 
 RelativeDisplacement read_relative(Reading& reading, const Place& place,
@@ -93,10 +110,13 @@ LinearStudy read_linear(Reading& reading, const Place& place, const StudyNames& 
 PathStudy read_path(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::path_study());
   PathStudy study;
-  // What would be prescribed, once that is available, stands in for loads.
-  const bool prescribes = table.has("prescribe");
-  if (prescribes) reading.spoil(table.path("loads"));
-  const auto loads = prescribes ? table.find("loads") : table.require("loads");
+  const auto prescribe = table.find("prescribe");
+  if (prescribe) {
+    for (const Place& entry : read_list(reading, *prescribe, "prescribed displacements")) {
+      study.prescribe.push_back(read_prescribed(reading, entry, names));
+    }
+  }
+  const auto loads = prescribe ? table.find("loads") : table.require("loads");
   if (loads) study.loads = read_loads(reading, *loads, names);
   study.steps = table.integer("steps", study.steps);
   read_modelings_of(reading, table, study);

@@ -67,8 +67,8 @@ const Vocabulary& linear_study() {
 }
 
 const Vocabulary& path_study() {
-  static const Vocabulary v{{"kind", "loads", "steps", "modelings", "reference"},
-                            {"prescribe", "control", "until"}};
+  static const Vocabulary v{{"kind", "loads", "prescribe", "steps", "modelings", "reference"},
+                            {"control", "until"}};
   return v;
 }
 
@@ -79,6 +79,11 @@ const Vocabulary& inverse_study() {
 
 const Vocabulary& load() {
   static const Vocabulary v{{"on", "force", "moment", "follower"}, {"history", "angle"}};
+  return v;
+}
+
+const Vocabulary& prescribed() {
+  static const Vocabulary v{{"on", "x", "y", "rotation"}, {}};
   return v;
 }
 

@@ -1,6 +1,5 @@
 #include "flexura/io/write_csv.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -77,12 +76,7 @@ std::vector<std::vector<std::size_t>> points_by_body(const PathResult& path) {
   return points;
 }
 
-bool has_reactions(const ModelingPath& modeling) {
-  return std::any_of(modeling.states.begin(), modeling.states.end(),
-                     [](const PathState& state) { return !state.reactions.empty(); });
-}
-
-std::vector<std::string> path_columns(const PathResult& path, bool reactions) {
+std::vector<std::string> path_columns(const PathResult& path) {
   std::vector<std::string> columns{"step", "load_factor"};
   const auto add = [&](const std::string& name, std::initializer_list<const char*> suffixes) {
     for (const char* suffix : suffixes) columns.push_back(name + suffix);
@@ -95,10 +89,8 @@ std::vector<std::string> path_columns(const PathResult& path, bool reactions) {
   for (const std::string& flexure : path.flexures) {
     add(flexure, {".mid.x", ".mid.y", ".mid.rotation"});
   }
-  if (reactions) {
-    for (const std::string& body : path.bodies) {
-      add(body, {".reaction.x", ".reaction.y", ".reaction.moment"});
-    }
+  for (const HeldPlace& held : path.held) {
+    add(held.name, {".reaction.x", ".reaction.y", ".reaction.moment"});
   }
   return columns;
 }
@@ -106,9 +98,8 @@ std::vector<std::string> path_columns(const PathResult& path, bool reactions) {
 }  // namespace
 
 CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling) {
-  const bool reactions = has_reactions(modeling);
   const auto points = points_by_body(path);
-  CsvWriter csv(path_columns(path, reactions));
+  CsvWriter csv(path_columns(path));
   int step = 0;
   for (const PathState& state : modeling.states) {
     csv.word(std::to_string(step++)).number(state.load_factor);
@@ -119,12 +110,10 @@ CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling) {
       for (const std::size_t p : points[b]) csv.vector(state.points[p]);
     }
     for (const Pose& mid : state.mids) csv.vector(mid.position).number(mid.rotation);
-    if (reactions) {
-      // The undeformed state may come without: nothing holds it.
-      for (std::size_t b = 0; b < path.bodies.size(); ++b) {
-        const Reaction r = state.reactions.empty() ? Reaction{} : state.reactions[b];
-        csv.vector(r.force).number(r.moment);
-      }
+    // The undeformed state may come without: nothing holds it.
+    for (std::size_t h = 0; h < path.held.size(); ++h) {
+      const Reaction r = state.reactions.empty() ? Reaction{} : state.reactions[h];
+      csv.vector(r.force).number(r.moment);
     }
     csv.end_row();
   }

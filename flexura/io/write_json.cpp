@@ -41,7 +41,29 @@ Json state_json(const PathResult& path, const PathState& state) {
   for (std::size_t p = 0; p < state.points.size(); ++p) {
     points[path.points[p]] = {{"x", state.points[p].x}, {"y", state.points[p].y}};
   }
-  return {{"bodies", std::move(bodies)}, {"points", std::move(points)}};
+  Json json = {{"bodies", std::move(bodies)}, {"points", std::move(points)}};
+  for (std::size_t h = 0; h < state.reactions.size(); ++h) {
+    const Reaction& r = state.reactions[h];
+    json["reactions"][path.held[h].name] = {
+        {"x", r.force.x}, {"y", r.force.y}, {"moment", r.moment}};
+  }
+  return json;
+}
+
+/// Forces at which the driven mechanism would snap, and where it would stay when let go.
+void add_reaction_events(Json& json, const PathResult& path, const ModelingPath& modeling) {
+  Json& snaps = json["snap_forces"] = Json::array();
+  Json& equilibria = json["equilibria"] = Json::array();
+  for (const ReactionEvent& event : modeling.reaction_events) {
+    Json entry = {{"load_factor", event.load_factor}};
+    if (event.kind == ReactionEvent::Kind::halt) {
+      entry["reaction"] = event.reaction;
+    } else {
+      entry["stable"] = event.stable;
+    }
+    entry["state"] = state_json(path, event.state);
+    (event.kind == ReactionEvent::Kind::halt ? snaps : equilibria).push_back(std::move(entry));
+  }
 }
 
 Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
@@ -59,6 +81,7 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
                       {"load_factor", event.load_factor},
                       {"state", state_json(path, event.state)}});
   }
+  if (!path.held.empty()) add_reaction_events(json, path, modeling);
   return json;
 }
 

@@ -75,6 +75,16 @@ struct Load {
   bool follower = false;
 };
 
+/// A displacement or rotation of a body, at one of its points or, without one, at its centre, that
+/// is imposed instead of a load. Components left out are free.
+struct Prescribed {
+  std::size_t body = 0;
+  std::optional<std::size_t> point;
+  std::optional<double> x;  ///< final displacements
+  std::optional<double> y;
+  std::optional<double> rotation;
+};
+
 /// Study `linear`: compliance matrices and ellipses of elasticity about the drawn state; `loads`
 /// adds the poles of these loads.
 struct LinearStudy {
@@ -83,10 +93,11 @@ struct LinearStudy {
   bool shear = true;
 };
 
-/// Study `path`: the equilibria as all loads grow together, in `steps` equal steps of the load
-/// factor from 0 to 1.
+/// Study `path`: the equilibria as all loads and prescribed displacements grow together, in `steps`
+/// equal steps of the load factor from 0 to 1.
 struct PathStudy {
   std::vector<Load> loads;
+  std::vector<Prescribed> prescribe;
   int steps = 20;
   std::vector<ModelingSettings> modelings;
   std::size_t reference = 0;  ///< index into modelings: what the others are compared with

@@ -25,6 +25,47 @@ void check_load(const Model& model, const Load& load, const KeyPath& path, Mista
   mistakes.require_finite(path / "moment", load.moment);
 }
 
+/// A body has three displacements to prescribe, each once; at points of it they count together.
+void check_prescribed(const Model& model, const std::vector<Prescribed>& all, const KeyPath& path,
+                      Mistakes& mistakes) {
+  std::vector<int> components(model.bodies.size(), 0);
+  std::vector<int> turns(model.bodies.size(), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Prescribed& p = all[i];
+    const KeyPath entry = path / "prescribe" / i;
+    if (p.body >= model.bodies.size()) {
+      mistakes.add(entry / "on", fmt::format("there is no body number {}", p.body));
+      continue;
+    }
+    const Body& body = model.bodies[p.body];
+    if (p.point && *p.point >= body.points.size()) {
+      mistakes.add(entry / "on",
+                   fmt::format("body '{}' has no point number {}", body.name, *p.point));
+    }
+    if (body.fixed) {
+      mistakes.add(entry / "on", fmt::format("body '{}' is fixed: it cannot be moved", body.name));
+    }
+    const bool can_turn = body.fixed || body_can_turn(model, p.body);
+    if (p.rotation && !can_turn) {
+      mistakes.add(
+          entry / "rotation",
+          fmt::format("body '{}' hangs on one pin and has no rotation of its own", body.name));
+    }
+    mistakes.require_finite(entry / "x", p.x.value_or(0.0));
+    mistakes.require_finite(entry / "y", p.y.value_or(0.0));
+    mistakes.require_finite(entry / "rotation", p.rotation.value_or(0.0));
+    components[p.body] += (p.x ? 1 : 0) + (p.y ? 1 : 0) + (p.rotation ? 1 : 0);
+    turns[p.body] += p.rotation ? 1 : 0;
+    const int most = can_turn ? 3 : 2;
+    if (components[p.body] > most || turns[p.body] > 1) {
+      mistakes.add(entry,
+                   fmt::format("body '{}' is prescribed more than it can move: it has "
+                               "{} displacements{}",
+                               body.name, most, can_turn ? ", one of them its rotation" : ""));
+    }
+  }
+}
+
 struct StudyRules {
   const Model& model;
   const KeyPath path;
@@ -39,8 +80,10 @@ struct StudyRules {
   void operator()(const LinearStudy& study) const { check_loads(study.loads); }
 
   void operator()(const PathStudy& study) const {
-    if (study.loads.empty()) mistakes.add(path / "loads", "a path needs a load");
+    if (study.loads.empty() && study.prescribe.empty())
+      mistakes.add(path / "loads", "a path needs a load, or something to prescribe");
     check_loads(study.loads);
+    check_prescribed(model, study.prescribe, path, mistakes);
     mistakes.require_between(path / "steps", study.steps, 1, most_steps);
     check_modelings(model, study.modelings, study.reference, path, mistakes);
   }

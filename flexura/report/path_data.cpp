@@ -51,6 +51,15 @@ Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordin
     if (!event.state.bodies.empty()) json["state"] = state_json(event.state, coordinates);
     events.push_back(std::move(json));
   }
+  Json reaction_events = Json::array();
+  for (const ReactionEvent& event : m.reaction_events) {
+    const bool halt = event.kind == ReactionEvent::Kind::halt;
+    reaction_events.push_back({{"kind", halt ? "snap force" : "equilibrium"},
+                               {"load_factor", rounded(event.load_factor)},
+                               {"reaction", rounded(event.reaction)},
+                               {"stable", event.stable},
+                               {"state", state_json(event.state, coordinates)}});
+  }
   Json differences = Json::array();
   if (index != path.reference) {
     for (std::size_t p = 0; p < path.points.size() + path.bodies.size(); ++p) {
@@ -70,6 +79,7 @@ Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordin
           {"error_estimate", optional_number(m.error_estimate)},
           {"difference", optional_number(m.difference)},
           {"events", std::move(events)},
+          {"reaction_events", std::move(reaction_events)},
           {"states", std::move(states)},
           {"differences", std::move(differences)},
           {"members", members_json(m.members)}};
@@ -83,13 +93,23 @@ Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates)
     const std::optional<std::size_t> owner = owner_of_point(path, p);
     owners.push_back(owner ? Json(*owner) : Json(nullptr));
   }
+  Json held = Json::array();
+  for (const HeldPlace& place : path.held) {
+    held.push_back({{"name", place.name},
+                    {"body", place.body},
+                    {"point", place.point ? Json(*place.point) : Json(nullptr)}});
+  }
   Json modelings = Json::array();
   for (std::size_t m = 0; m < path.modelings.size(); ++m) {
     modelings.push_back(modeling_json(path, m, coordinates));
   }
-  return {{"bodies", path.bodies},       {"points", path.points},
-          {"owners", std::move(owners)}, {"flexures", path.flexures},
-          {"reference", path.reference}, {"modelings", std::move(modelings)}};
+  return {{"bodies", path.bodies},
+          {"points", path.points},
+          {"owners", std::move(owners)},
+          {"flexures", path.flexures},
+          {"held", std::move(held)},
+          {"reference", path.reference},
+          {"modelings", std::move(modelings)}};
 }
 
 }  // namespace flexura::report_data

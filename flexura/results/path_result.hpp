@@ -21,7 +21,7 @@ struct MemberStation {
   double stress = 0.0;
 };
 
-/// A load that holds a body where it was prescribed to be, at the body's centre.
+/// A load that holds a body or point where it was prescribed to be, at that place.
 struct Reaction {
   Vec2 force;
   double moment = 0.0;
@@ -33,7 +33,7 @@ struct PathState {
   std::vector<Pose> bodies;
   std::vector<Vec2> points;
   std::vector<Pose> mids;               ///< section at mid-length of every flexure
-  std::vector<Reaction> reactions;      ///< of every body, study `inverse` only
+  std::vector<Reaction> reactions;      ///< of PathResult::held
   std::vector<std::vector<Vec2>> axes;  ///< deformed axis of every flexure, for drawing
   double strain_energy = 0.0;
   int unstable_directions = 0;  ///< negative eigenvalues of the tangent; 0 is stable
@@ -45,6 +45,18 @@ struct PathEvent {
   PathState state;
 };
 
+/// Something a prescribed displacement passes on its way, seen from the force that it takes: a
+/// force that comes to a halt (a limit point under that force), or no force at all (an equilibrium
+/// of the mechanism left alone).
+struct ReactionEvent {
+  enum class Kind { halt, zero };
+  Kind kind = Kind::halt;
+  double load_factor = 0.0;
+  double reaction = 0.0;  ///< of the prescribed component
+  bool stable = true;     ///< of what is left alone; meant for `zero`
+  PathState state;
+};
+
 /// One modeling's path.
 struct ModelingPath {
   std::string label;
@@ -53,6 +65,8 @@ struct ModelingPath {
   std::vector<PathState> states;                    ///< states[0] is the undeformed mechanism
   std::vector<std::vector<MemberStation>> members;  ///< per flexure, at the last state
   std::vector<PathEvent> events;
+  /// Where a single displacement or rotation drives the mechanism, and no loads.
+  std::vector<ReactionEvent> reaction_events;
   int unknowns = 0;
   int steps = 0;       ///< converged load steps, intermediate ones included
   int iterations = 0;  ///< Newton iterations in all
@@ -64,11 +78,19 @@ struct ModelingPath {
   std::optional<double> difference;
 };
 
+/// A body or one of its points that is held where it was prescribed to be.
+struct HeldPlace {
+  std::string name;                  ///< "body" or "body.point"
+  std::size_t body = 0;              ///< index into PathResult::bodies
+  std::optional<std::size_t> point;  ///< index into PathResult::points
+};
+
 /// All modelings of one study of kind `path` or `inverse`.
 struct PathResult {
   std::vector<std::string> bodies;  ///< moving bodies
   std::vector<std::string> points;  ///< "body.point", of moving bodies
   std::vector<std::string> flexures;
+  std::vector<HeldPlace> held;  ///< what the reactions of all states belong to
   std::vector<ModelingPath> modelings;
   std::size_t reference = 0;  ///< index into modelings
 };

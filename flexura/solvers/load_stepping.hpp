@@ -111,7 +111,12 @@ template <LoadedProblem Problem>
 auto LoadStepping<Problem>::energy_at(const std::vector<double>& z, std::vector<double>& slope)
     -> Energy {
   problem_->load_direction(slope);
-  return {problem_->strain_energy(), problem_->load_displacement(z), problem_->load_rate(slope)};
+  double stored = 0.0;
+  if constexpr (requires { problem_->stored_energy(z); })
+    stored = problem_->stored_energy(z);
+  else
+    stored = problem_->strain_energy();
+  return {stored, problem_->load_displacement(z), problem_->load_rate(slope)};
 }
 
 template <LoadedProblem Problem>

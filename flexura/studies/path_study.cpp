@@ -6,6 +6,8 @@
 
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_tracer.hpp"
+#include "flexura/studies/prescribed.hpp"
+#include "flexura/studies/reaction_events.hpp"
 
 namespace flexura {
 namespace {
@@ -71,7 +73,7 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
                       const std::function<bool(double)>& keep_going) {
   const auto start = std::chrono::steady_clock::now();
   const TracedPath traced =
-      trace_path(model, study.loads, settings, {study.steps, true, keep_going});
+      trace_path(model, study.loads, settings, {study.steps, true, study.prescribe, keep_going});
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
 
   ModelingPath path;
@@ -87,6 +89,7 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
     system.set_load_factor(s.load_factor);
     path.states.push_back(make_path_state(model, system, s.z, s.load_factor));
     path.states.back().unstable_directions = s.unstable_directions;
+    path.states.back().reactions = reactions_in(system, study.prescribe, s.z);
     if (system.linearize(s.z)) path.states.back().strain_energy = system.strain_energy();
   }
   for (const TracedEvent& event : traced.events) {
@@ -94,12 +97,15 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
         {event.kind, event.load_factor,
          make_path_state(model, *traced.systems[event.system], event.z, event.load_factor)});
     path.events.back().state.unstable_directions = event.unstable_directions;
+    path.events.back().state.reactions =
+        reactions_in(*traced.systems[event.system], study.prescribe, event.z);
   }
   if (!traced.states.empty()) {
     const TracedState& last = traced.states.back();
     path.members = make_members(model, *traced.systems[last.system], last.z);
     path.error_estimate = relative_error(traced, path.states);
   }
+  path.reaction_events = find_reaction_events(model, study, traced);
   return path;
 }
 

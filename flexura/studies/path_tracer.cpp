@@ -7,6 +7,7 @@
 
 #include "flexura/modelings/make_system.hpp"
 #include "flexura/studies/error_estimate.hpp"
+#include "flexura/studies/prescribed.hpp"
 #include "flexura/studies/singular_mechanism.hpp"
 
 namespace flexura {
@@ -38,13 +39,18 @@ class PathTracer {
         settings_(settings),
         options_(options),
         points_(tracked_points(model)) {
-    path_.systems.push_back(std::make_unique<System>(make_layout(model, loads, settings)));
+    path_.systems.push_back(std::make_unique<System>(make_prescribed_layout()));
     if (options_.estimate_errors) estimate_ = std::make_unique<ErrorEstimate>(system());
   }
 
   TracedPath run();
 
  private:
+  SystemLayout make_prescribed_layout() const {
+    SystemLayout layout = make_layout(model_, loads_, settings_, load_ratios_);
+    add_prescribed(layout, model_, options_.prescribed);
+    return layout;
+  }
   System& system() { return *path_.systems.back(); }
   bool estimates() const { return estimate_ && estimate_->available(); }
   bool settle(Stepping& stepping);
@@ -148,8 +154,7 @@ bool PathTracer::settle_load_ratios(Stepping& stepping) {
              std::abs(ratios[i].value_or(0.0) - load_ratios_[i].value_or(0.0)) < 1e-9;
     if (same) return true;
     load_ratios_ = std::move(ratios);
-    path_.systems.push_back(
-        std::make_unique<System>(make_layout(model_, loads_, settings_, load_ratios_)));
+    path_.systems.push_back(std::make_unique<System>(make_prescribed_layout()));
     stepping.change_problem(system(), [](const std::vector<double>& v) { return v; });
     if (!stepping.correct()) return false;
   }
@@ -198,6 +203,13 @@ void PathTracer::stop(const SteppingSummary& summary) {
   if (summary.outcome == SteppingOutcome::limit_point) {
     path_.events.push_back(
         {"limit point", summary.load_factor, path_.systems.size() - 1, summary.limit_state, 1});
+    if (!options_.prescribed.empty()) {
+      path_.termination.reason = fmt::format(
+          "the prescribed displacement turns back at load factor {:.6g}: from there the mechanism "
+          "snaps, whatever force holds it. Prescribe less, or prescribe another point",
+          summary.load_factor);
+      return;
+    }
     path_.termination.reason = fmt::format(
         "limit point at load factor {0:.6g}: along this path the mechanism carries no more of its "
         "loads, and snaps away. Scale the loads by {1:.4g} or less",

@@ -51,6 +51,7 @@ std::vector<TrackedPoint> tracked_points(const Model& model);
 struct TraceOptions {
   int steps = 20;               ///< equal steps of the load factor from 0 to 1
   bool estimate_errors = true;  ///< where the modeling has a discretization
+  std::vector<Prescribed> prescribed = {};
   /// Asked after each output step with the fraction done; false stops. May be empty.
   std::function<bool(double)> keep_going;
 };

@@ -14,6 +14,7 @@
 #include "flexura/studies/linear_study.hpp"
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_study.hpp"
+#include "flexura/studies/prescribed.hpp"
 
 namespace flexura {
 namespace {
@@ -90,11 +91,16 @@ class Run {
   void prepare(const PathStudy& study, StudyResult& result) {
     result.kind = "path";
     result.loads = make_drawn_loads(model_, study.loads);
-    result.content = make_path_names(model_);
+    PathResult path = make_path_names(model_);
+    path.held = held_places(model_, study.prescribe);
+    result.content = std::move(path);
   }
   void prepare(const InverseStudy&, StudyResult& result) {
     result.kind = "inverse";
-    result.content = make_path_names(model_);
+    PathResult path = make_path_names(model_);
+    for (std::size_t b = 0; b < path.bodies.size(); ++b)
+      path.held.push_back({path.bodies[b], b, {}});
+    result.content = std::move(path);
   }
 
   void add_tasks(const LinearStudy& study, StudyResult& result) {

@@ -60,6 +60,7 @@ TEST(PathCsv, HasTheColumnsOfTheContract) {
 
 TEST(PathCsv, AddsReactionsWhereThereAreSome) {
   PathResult path = make_path();
+  path.held = {{"a", 0, {}}, {"b", 1, {}}};
   path.modelings[0].states[1].reactions = {{{1, 2}, 3}, {{4, 5}, 6}};
   const Rows rows = rows_of(make_path_csv(path, path.modelings[0]).text);
   const std::vector<std::string> last(rows[0].end() - 6, rows[0].end());

@@ -115,6 +115,7 @@ StudyResult make_inverse_study() {
   PathResult path = make_path(load);
   std::erase_if(path.modelings, [](const ModelingPath& m) { return m.modeling == "continuum"; });
   path.reference = path.modelings.size() - 1;
+  for (std::size_t b = 0; b < path.bodies.size(); ++b) path.held.push_back({path.bodies[b], b, {}});
   for (ModelingPath& modeling : path.modelings) {
     if (modeling.modeling == "exact") modeling.difference.reset();
     for (PathState& state : modeling.states) {

@@ -135,5 +135,11 @@ const Motion = (() => {
     }));
   }
 
-  return { bodies, flexures, pairs, timeline, stateAt, trace, carry, subjects };
+  // Where something held is: at its point, or at its body's centre.
+  const heldPlace = (held, state) => (
+    held.point === null ? state.bodies[held.body] : state.points[held.point]);
+
+  return {
+    bodies, flexures, pairs, timeline, stateAt, trace, carry, subjects, heldPlace,
+  };
 })();

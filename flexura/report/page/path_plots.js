@@ -1,8 +1,8 @@
 'use strict';
-// Displacements, rotation, reactions and the difference from the reference along a path, for the
+// Displacements, rotation and the difference from the reference along a path, for the
 // point or body that the reader has chosen.
 const PathPlots = (() => {
-  const { length, force } = State.units;
+  const { length } = State.units;
 
   function chooser(host, subjects) {
     const label = d3.select(host).append('label').attr('class', 'chooser');
@@ -86,24 +86,5 @@ const PathPlots = (() => {
     follow(charts, study, subjects, timeline);
   }
 
-  // The loads that hold the body of the chosen subject, at the body's centre.
-  function makeReactions(host, study, subjects, timeline) {
-    const section = d3.select(host).append('section').attr('class', 'panel');
-    const heading = section.append('h2');
-    const grid = section.append('div').attr('class', 'charts charts-thirds').node();
-    const common = optionsFor(timeline);
-    const reaction = (axis) => (subject) => (state) => (
-      state.reactions && subject.owner !== null ? state.reactions[subject.owner][axis] : null);
-    follow([
-      [new Chart(grid, { ...common, title: `Force in x, ${force}` }), reaction(0)],
-      [new Chart(grid, { ...common, title: `Force in y, ${force}` }), reaction(1)],
-      [new Chart(grid, { ...common, title: `Moment, ${force}·${length}` }), reaction(2)],
-    ], study, subjects, timeline);
-    State.follow(['subject'], () => {
-      const { owner } = subjects[State.chosen.subject];
-      heading.text(`Reactions that hold ${study.path.bodies[owner]}, at its centre`);
-    });
-  }
-
-  return { make, makeReactions };
+  return { make, lines, optionsFor };
 })();

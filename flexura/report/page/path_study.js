@@ -121,10 +121,11 @@ const PathStudy = (() => {
     const sizes = modeling.states.flatMap((s) => s.reactions || [])
       .map(([x, y]) => Math.hypot(x, y));
     const largest = d3.max(sizes) || 1;
-    state.reactions.forEach(([x, y, moment], b) => {
+    state.reactions.forEach(([x, y, moment], h) => {
       const share = Math.hypot(x, y) / largest;
       if (state.load_factor < 1e-3) return;
-      add(Mechanism.loadItems(view, state.bodies[b], [x, y], moment, share, false));
+      const place = Motion.heldPlace(path.held[h], state);
+      add(Mechanism.loadItems(view, place, [x, y], moment, share, false));
     });
   }
 
@@ -174,7 +175,7 @@ const PathStudy = (() => {
     d3.select(left).append('p').attr('class', 'hint').text(hintFor(path, strays));
     const right = stage.append('section').attr('class', 'panel plots').node();
     PathPlots.make(right, study, subjects, timeline);
-    if (study.kind === 'inverse') PathPlots.makeReactions(host, study, subjects, timeline);
+    if (path.held.length > 0) ReactionPlots.make(host, study, timeline);
     State.follow(['position', 'hidden'], () => view.redraw());
     const comparison = d3.select(host).append('section').attr('class', 'panel');
     comparison.append('h2').text('Comparison');

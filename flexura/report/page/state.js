@@ -27,6 +27,7 @@ const State = (() => {
     position: 0, // along the path: see Motion.timeline
     hidden: new Set(), // labels
     subject: 0, // index into Motion.subjects of the study
+    held: 0, // whose reactions are shown
     flexure: 0, // whose section forces are shown
     record: 0, // of a linear study
     groups: new Set(['flexure', 'point']), // of ellipses drawn
