@@ -12,11 +12,16 @@ Json state_json(const PathState& state, const DrawnCoordinates& coordinates) {
   }
   Json points = Json::array();
   for (const Vec2 p : state.points) points.push_back(pair(p));
+  Json mids = Json::array();
+  for (const Pose& mid : state.mids) {
+    mids.push_back({rounded(mid.position.x), rounded(mid.position.y), rounded(mid.rotation)});
+  }
   Json axes = Json::array();
   for (const std::vector<Vec2>& axis : state.axes) axes.push_back(coordinates(axis));
   Json json = {{"load_factor", rounded(state.load_factor)},
                {"bodies", std::move(bodies)},
                {"points", std::move(points)},
+               {"mids", std::move(mids)},
                {"axes", std::move(axes)},
                {"unstable", state.unstable_directions > 0}};
   if (!state.reactions.empty()) {

@@ -10,6 +10,7 @@
 #include "flexura/modelings/make_system.hpp"
 #include "flexura/solvers/newton.hpp"
 #include "flexura/studies/path_record.hpp"
+#include "flexura/studies/reaction_difference.hpp"
 
 namespace flexura {
 namespace {
@@ -175,26 +176,11 @@ ModelingPath run_inverse(const Model& model, const InverseStudy& study,
 
 void compare_reactions(PathResult& result) {
   const ModelingPath& reference = result.modelings[result.reference];
-  double force = 0.0;
-  double moment = 0.0;
-  for (const PathState& state : reference.states)
-    for (const Reaction& r : state.reactions) {
-      force = std::max(force, norm(r.force));
-      moment = std::max(moment, std::abs(r.moment));
-    }
   for (std::size_t m = 0; m < result.modelings.size(); ++m) {
     ModelingPath& path = result.modelings[m];
     const std::size_t states = std::min(path.states.size(), reference.states.size());
     if (m == result.reference || states < 2) continue;  // the start alone says nothing
-    double worst = 0.0;
-    for (std::size_t k = 0; k < states; ++k)
-      for (std::size_t b = 0; b < path.states[k].reactions.size(); ++b) {
-        const Reaction& here = path.states[k].reactions[b];
-        const Reaction& there = reference.states[k].reactions[b];
-        if (force > 0.0) worst = std::max(worst, norm(here.force - there.force) / force);
-        if (moment > 0.0) worst = std::max(worst, std::abs(here.moment - there.moment) / moment);
-      }
-    path.difference = worst;
+    path.difference = reaction_difference(path, reference);
   }
 }
 

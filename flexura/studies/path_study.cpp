@@ -7,6 +7,7 @@
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_tracer.hpp"
 #include "flexura/studies/prescribed.hpp"
+#include "flexura/studies/reaction_difference.hpp"
 #include "flexura/studies/reaction_events.hpp"
 
 namespace flexura {
@@ -36,6 +37,14 @@ double mechanism_size(const PathState& start) {
   return norm(high - low);
 }
 
+/// Of the flexures as drawn.
+double mean_length(const PathState& start) {
+  double sum = 0.0;
+  for (const auto& axis : start.axes)
+    for (std::size_t i = 1; i < axis.size(); ++i) sum += norm(axis[i] - axis[i - 1]);
+  return start.axes.empty() ? 0.0 : sum / static_cast<double>(start.axes.size());
+}
+
 /// Largest displacement of every point over the path, floored.
 std::vector<double> largest_displacements(const std::vector<PathState>& states) {
   const std::vector<Vec2> start = points_of(states.front());
@@ -61,6 +70,7 @@ std::optional<double> relative_error(const TracedPath& traced,
   double worst = 0.0;
   for (const TracedState& state : traced.states) {
     if (state.errors.empty()) return {};
+    worst = std::max(worst, state.reaction_error);
     for (std::size_t p = 0; p < state.errors.size(); ++p)
       if (state.errors[p] > noise) worst = std::max(worst, state.errors[p] / size[p]);
   }
@@ -114,11 +124,12 @@ void compare_with_reference(PathResult& result) {
   if (reference.states.empty()) return;
   const std::vector<double> size = largest_displacements(reference.states);
   const double noise = rounding * mechanism_size(reference.states.front());
+  const double length = mean_length(reference.states.front());
   for (std::size_t m = 0; m < result.modelings.size(); ++m) {
     ModelingPath& path = result.modelings[m];
     const std::size_t states = std::min(path.states.size(), reference.states.size());
     if (m == result.reference || states < 2) continue;  // the start alone says nothing
-    double worst = 0.0;
+    double worst = reaction_difference(path, reference, length);
     for (std::size_t k = 0; k < states; ++k) {
       const std::vector<Vec2> here = points_of(path.states[k]);
       const std::vector<Vec2> there = points_of(reference.states[k]);

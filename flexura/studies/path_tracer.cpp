@@ -57,6 +57,8 @@ class PathTracer {
   bool settle_load_ratios(Stepping& stepping);
   void record(const Stepping& stepping, double load_factor, std::vector<double> errors);
   std::vector<double> measure_errors(const std::vector<double>& z) const;
+  double measure_reaction_error(const std::vector<double>& z);
+  double error_ratio() const;
   bool is_accurate(const std::vector<double>& errors, const std::vector<double>& z);
   void note_changes(const Stepping& stepping);
   void stop(const SteppingSummary& summary);
@@ -71,6 +73,9 @@ class PathTracer {
   std::vector<std::optional<double>> load_ratios_;
   std::vector<double> errors_;
   double largest_displacement_ = 0.0;
+  double reaction_error_ = 0.0;
+  double largest_force_ = 0.0;
+  double largest_moment_ = 0.0;
   std::size_t changes_noted_ = 0;
   int refinements_left_ = 6;
   TracedPath path_;
@@ -124,11 +129,13 @@ TracedPath PathTracer::run() {
 /// critical one, say) goes without an estimate.
 bool PathTracer::settle(Stepping& stepping) {
   errors_.clear();
+  reaction_error_ = 0.0;
   if (follows_load_ratio(settings_) && !settle_load_ratios(stepping)) return false;
   while (estimates()) {
     const std::vector<double>& z = stepping.state();
     if (estimate_->solve(system(), z, path_.iterations)) {
       errors_ = measure_errors(z);
+      reaction_error_ = measure_reaction_error(z);
       if (is_accurate(errors_, z)) return true;
     }
     if (!chooses_modes(settings_) || refinements_left_ == 0) return true;
@@ -164,14 +171,43 @@ bool PathTracer::settle_load_ratios(Stepping& stepping) {
 std::vector<double> PathTracer::measure_errors(const std::vector<double>& z) const {
   const System& coarse = *path_.systems.back();
   std::vector<double> errors;
-  double ratio = 1.0;
-  for (const auto& member : coarse.layout().members)
-    ratio = std::max(ratio, member.port->error_ratio());
+  const double ratio = error_ratio();
   for (const TrackedPoint& point : points_)
     errors.push_back(ratio * norm(estimate_->finer().moved_point(point.body, point.drawn,
                                                                  estimate_->finer_state()) -
                                   coarse.moved_point(point.body, point.drawn, z)));
   return errors;
+}
+
+double PathTracer::error_ratio() const {
+  double ratio = 1.0;
+  for (const auto& member : path_.systems.back()->layout().members)
+    ratio = std::max(ratio, member.port->error_ratio());
+  return ratio;
+}
+
+/// Where the points are driven, what is uncertain is the force that it takes.
+double PathTracer::measure_reaction_error(const std::vector<double>& z) {
+  const auto& prescribed = system().layout().prescribed;
+  double force_error = 0.0;
+  double moment_error = 0.0;
+  for (std::size_t i = 0; i < prescribed.size(); ++i) {
+    const double here = system().prescribed_reaction(i, z);
+    const double finer = estimate_->finer().prescribed_reaction(i, estimate_->finer_state());
+    const bool turns = prescribed[i].component == SystemLayout::Prescribed::Component::rotation;
+    double& largest = turns ? largest_moment_ : largest_force_;
+    double& error = turns ? moment_error : force_error;
+    largest = std::max(largest, std::abs(here));
+    error = std::max(error, std::abs(finer - here));
+  }
+  // a moment that only balances rounding is measured by the force, at a flexure's length
+  const double length = system().mean_length();
+  const double moment_size = std::max(largest_moment_, largest_force_ * length);
+  const double force_size = std::max(largest_force_, largest_moment_ / length);
+  double worst = 0.0;
+  if (force_size > 0.0) worst = force_error / force_size;
+  if (moment_size > 0.0) worst = std::max(worst, moment_error / moment_size);
+  return error_ratio() * worst;
 }
 
 bool PathTracer::is_accurate(const std::vector<double>& errors, const std::vector<double>& z) {
@@ -181,12 +217,13 @@ bool PathTracer::is_accurate(const std::vector<double>& errors, const std::vecto
                  norm(system().moved_point(point.body, point.drawn, z) - point.drawn));
   const double largest = *std::max_element(errors.begin(), errors.end());
   const double rounding = 1e-11 * system().mean_length();
-  return largest <= std::max(0.3 * settings_.tolerance * largest_displacement_, rounding);
+  return largest <= std::max(0.3 * settings_.tolerance * largest_displacement_, rounding) &&
+         reaction_error_ <= std::max(0.3 * settings_.tolerance, 1e-10);
 }
 
 void PathTracer::record(const Stepping& stepping, double load_factor, std::vector<double> errors) {
   path_.states.push_back({load_factor, path_.systems.size() - 1, stepping.state(),
-                          stepping.unstable_directions(), std::move(errors)});
+                          stepping.unstable_directions(), std::move(errors), reaction_error_});
 }
 
 void PathTracer::note_changes(const Stepping& stepping) {

@@ -18,6 +18,9 @@ struct TracedState {
   std::vector<double> z;
   int unstable_directions = 0;
   std::vector<double> errors;  ///< estimated, of each tracked point (length); empty: no estimate
+  /// Likewise of the reactions on what is prescribed, relative to the largest over the path so
+  /// far.
+  double reaction_error = 0.0;
 };
 
 struct TracedEvent {

@@ -53,7 +53,7 @@ TEST_P(PrescribedPath, ReactionsAreTheLoadsThatLeadThere) {
 
 INSTANTIATE_TEST_SUITE_P(Modelings, PrescribedPath,
                          ::testing::Values(linear(), scmbm_centre(), prbm(), exact(), beam(8, 3)),
-                         [](const auto& info) { return info.param.label; });
+                         [](const auto& tested) { return tested.param.label; });
 
 /// A cantilever whose tip is turned rolls up: moment EI phi/L, and no force.
 TEST(Prescribed, RotationOfACantileverTakesAPureMoment) {

@@ -1,8 +1,9 @@
 'use strict';
 // A small line chart with a readout under the pointer and a marker that follows the slider.
 class Chart {
-  // options: title, xTitle, log (values are then percent), zero (include 0 in the y range),
-  // onSeek(x), empty (what to say where there is nothing to draw).
+  // options: title, xTitle, log (values are then percent), onSeek(x), empty (what to say where
+  // there is nothing to draw), noise (a number or a function: a chart whose values are all smaller
+  // is drawn as zero).
   constructor(host, options) {
     this.options = options;
     this.lines = [];
@@ -50,7 +51,9 @@ class Chart {
     }
     low = Math.min(low, 0);
     high = Math.max(high, 0);
-    if (low === high) [low, high] = [-1, 1];
+    const { noise } = this.options;
+    const least = (typeof noise === 'function' ? noise() : noise) || 0;
+    if (high - low <= least) [low, high] = [-Math.max(1, least), Math.max(1, least)];
     this.y = d3.scaleLinear().domain([low, high]).nice(4).range(range);
   }
 

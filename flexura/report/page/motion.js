@@ -115,7 +115,7 @@ const Motion = (() => {
   }
 
   // What can be chosen to be plotted: every named point with the rotation of its body, then
-  // every moving body at its centre.
+  // every moving body at its centre, then the section in the middle of every flexure.
   function subjects(path) {
     const points = path.points.map((name, i) => ({
       name,
@@ -129,10 +129,18 @@ const Motion = (() => {
       owner: i,
       place: (state) => state.bodies[i],
     }));
-    return [...points, ...centres].map((subject) => ({
+    const mids = path.flexures.map((name, i) => ({
+      name,
+      kind: 'flexure',
+      owner: null,
+      place: (state) => state.mids[i],
+      rotation: (state) => state.mids[i][2],
+    }));
+    const turned = [...points, ...centres].map((subject) => ({
       ...subject,
       rotation: (state) => (subject.owner === null ? null : state.bodies[subject.owner][2]),
     }));
+    return [...turned, ...mids];
   }
 
   // Where something held is: at its point, or at its body's centre.

@@ -6,10 +6,11 @@ const PathPlots = (() => {
 
   function chooser(host, subjects) {
     const label = d3.select(host).append('label').attr('class', 'chooser');
-    label.append('span').text('Point or body');
+    label.append('span').text('Point, body or flexure');
     const select = label.append('select').attr('id', 'subject')
       .on('change', function changed() { State.set({ subject: Number(this.value) }); });
-    const groups = [['Points', 'point'], ['Bodies, at their centres', 'body']];
+    const groups = [['Points', 'point'], ['Bodies, at their centres', 'body'],
+      ['Flexures, at mid-length', 'flexure']];
     for (const [title, kind] of groups) {
       const of = subjects.map((s, i) => ({ ...s, i })).filter((s) => s.kind === kind);
       if (of.length === 0) continue;

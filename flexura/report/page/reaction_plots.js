@@ -59,16 +59,18 @@ const ReactionPlots = (() => {
   function eventTable(host, path) {
     const rows = path.modelings.flatMap((m) => m.reaction_events.map((e) => ({ m, e })));
     if (rows.length === 0) return;
-    const table = d3.select(host).append('table').attr('class', 'events');
+    const table = d3.select(host).append('div').attr('class', 'table-frame')
+      .append('table').attr('class', 'reaction-events');
+    const number = (i) => i > 1;
     table.append('thead').append('tr').selectAll('th')
       .data(['modeling', 'passes', 'load factor', `reaction, ${force}`]).enter()
-      .append('th').text((t) => t);
+      .append('th').classed('is-left', (_, i) => !number(i)).text((t) => t);
     const lines = table.append('tbody').selectAll('tr').data(rows).enter().append('tr');
-    lines.append('td').text(({ m }) => m.label);
-    lines.append('td').text(({ e }) => (e.kind === 'equilibrium'
+    lines.append('td').attr('class', 'is-left').text(({ m }) => m.label);
+    lines.append('td').attr('class', 'is-left').text(({ e }) => (e.kind === 'equilibrium'
       ? `equilibrium at zero force, ${e.stable ? 'stable' : 'unstable'}` : e.kind));
-    lines.append('td').attr('class', 'number').text(({ e }) => Numbers.format(e.load_factor, 6));
-    lines.append('td').attr('class', 'number').text(({ e }) => Numbers.format(e.reaction, 6));
+    lines.append('td').text(({ e }) => Numbers.format(e.load_factor, 6));
+    lines.append('td').text(({ e }) => Numbers.format(e.reaction, 6));
   }
 
   function make(host, study, timeline) {
@@ -79,10 +81,15 @@ const ReactionPlots = (() => {
     if (path.held.length > 1) chooser(section.node(), path.held);
     const grid = section.append('div').attr('class', 'charts charts-thirds').node();
     const common = PathPlots.optionsFor(timeline);
-    const charts = parts.map((title) => new Chart(grid, { ...common, title }));
+    // rounding beside the largest force, on the mechanism's size, is no reaction
+    const largest = d3.max(path.modelings.flatMap((m) => m.states.flatMap((s) => (
+      (s.reactions || []).map(([x, y]) => Math.hypot(x, y)))))) || 0;
+    const charts = parts.map((title, part) => new Chart(grid, {
+      ...common, title, noise: 1e-6 * largest * (part === 2 ? Mechanism.extent : 1),
+    }));
     const drives = path.modelings.some((m) => m.reaction_events.length > 0);
     const curve = drives ? new Chart(
-      section.append('div').attr('class', 'charts charts-wide').node(),
+      section.append('div').attr('class', 'charts drive-curve').node(),
       { title: `Force against displacement, ${force}`, xTitle: `displacement, ${length}` },
     ) : null;
     State.follow(['held', 'hidden'], () => {
