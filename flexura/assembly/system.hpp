@@ -96,6 +96,10 @@ class System {
   /// dz / d(load factor) of the last linearization.
   void load_direction(std::vector<double>& direction) const;
 
+  /// The direction of least resistance at the last linearization: at a critical state, its null
+  /// vector. Unit length by `inner`.
+  void critical_direction(std::vector<double>& direction) const;
+
   /// Scalar product of changes of z: displacements in mean flexure lengths, rotations in radians.
   double inner(const std::vector<double>& a, const std::vector<double>& b) const;
   /// Largest change of a displacement or rotation of a body between two states, likewise.

@@ -107,6 +107,34 @@ LinearStudy read_linear(Reading& reading, const Place& place, const StudyNames& 
   return study;
 }
 
+PathEnd read_until(Reading& reading, const Place& place) {
+  TableReader table(reading, place, vocabulary::until());
+  PathEnd until;
+  until.load_factor = table.quantity("load_factor", dimensions::number, until.load_factor);
+  if (table.has("limit_points")) until.limit_points = table.integer("limit_points", 1);
+  if (table.has("steps")) until.steps = table.integer("steps", 1);
+  return until;
+}
+
+/// How a path is followed; `until` and `branch` belong to arc length alone.
+void read_control(Reading& reading, TableReader& table, PathStudy& study) {
+  const auto control = table.find("control");
+  const auto word =
+      control ? read_word(reading, *control, "control", vocabulary::controls()) : std::nullopt;
+  study.arc_length = word == "arc_length";
+  for (const char* key : {"until", "branch"}) {
+    const auto place = table.find(key);
+    if (!place || study.arc_length || (control && !word)) continue;
+    reading.report_key(table.path(), key, place->node->position,
+                       "this needs control = \"arc_length\"");
+  }
+  if (const auto until = table.find("until")) study.until = read_until(reading, *until);
+  if (const auto place = table.find("branch")) {
+    TableReader branch(reading, *place, vocabulary::branch());
+    study.branch = BranchSwitch{branch.integer("at", 1), branch.integer("side", 1)};
+  }
+}
+
 PathStudy read_path(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::path_study());
   PathStudy study;
@@ -119,6 +147,7 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
   const auto loads = prescribe ? table.find("loads") : table.require("loads");
   if (loads) study.loads = read_loads(reading, *loads, names);
   study.steps = table.integer("steps", study.steps);
+  read_control(reading, table, study);
   read_modelings_of(reading, table, study);
   return study;
 }

@@ -67,8 +67,9 @@ const Vocabulary& linear_study() {
 }
 
 const Vocabulary& path_study() {
-  static const Vocabulary v{{"kind", "loads", "prescribe", "steps", "modelings", "reference"},
-                            {"control", "until"}};
+  static const Vocabulary v{{"kind", "loads", "prescribe", "control", "until", "branch", "steps",
+                             "modelings", "reference"},
+                            {}};
   return v;
 }
 
@@ -79,6 +80,21 @@ const Vocabulary& inverse_study() {
 
 const Vocabulary& load() {
   static const Vocabulary v{{"on", "force", "moment", "follower"}, {"history", "angle"}};
+  return v;
+}
+
+const Vocabulary& until() {
+  static const Vocabulary v{{"load_factor", "limit_points", "steps"}, {}};
+  return v;
+}
+
+const Vocabulary& branch() {
+  static const Vocabulary v{{"at", "side"}, {}};
+  return v;
+}
+
+const Vocabulary& controls() {
+  static const Vocabulary v{{"load", "arc_length"}, {}};
   return v;
 }
 

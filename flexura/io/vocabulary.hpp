@@ -29,6 +29,9 @@ const Vocabulary& linear_study();
 const Vocabulary& path_study();
 const Vocabulary& inverse_study();
 const Vocabulary& load();
+const Vocabulary& until();
+const Vocabulary& branch();
+const Vocabulary& controls();
 const Vocabulary& prescribed();
 const Vocabulary& relative();
 /// Of a modeling's table: `modeling` is "linear", "scmbm", "prbm", "exact" or "beam".

@@ -57,7 +57,7 @@ void add_reaction_events(Json& json, const PathResult& path, const ModelingPath&
   for (const ReactionEvent& event : modeling.reaction_events) {
     Json entry = {{"load_factor", event.load_factor}};
     if (event.kind == ReactionEvent::Kind::halt) {
-      entry["reaction"] = event.reaction;
+      if (!path.held.empty()) entry["reaction"] = event.reaction;
     } else {
       entry["stable"] = event.stable;
     }
@@ -81,7 +81,7 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
                       {"load_factor", event.load_factor},
                       {"state", state_json(path, event.state)}});
   }
-  if (!path.held.empty()) add_reaction_events(json, path, modeling);
+  if (!path.held.empty() || path.by_arc_length) add_reaction_events(json, path, modeling);
   return json;
 }
 

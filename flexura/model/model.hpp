@@ -93,11 +93,29 @@ struct LinearStudy {
   bool shear = true;
 };
 
+/// Where a path followed by arc length ends, whichever comes first.
+struct PathEnd {
+  double load_factor = 1.0;        ///< first reached from the side the path comes from
+  std::optional<int> limit_points;  ///< so many passed
+  std::optional<int> steps;         ///< so many taken
+};
+
+/// At which bifurcation a path followed by arc length leaves its primary branch, counted from 1,
+/// and to which side.
+struct BranchSwitch {
+  int at = 1;
+  int side = 1;  ///< 1 or -1
+};
+
 /// Study `path`: the equilibria as all loads and prescribed displacements grow together, in `steps`
 /// equal steps of the load factor from 0 to 1.
 struct PathStudy {
   std::vector<Load> loads;
   std::vector<Prescribed> prescribe;
+  /// With arc length, states are those the continuation took, none longer than 2/steps.
+  bool arc_length = false;
+  PathEnd until;
+  std::optional<BranchSwitch> branch;
   int steps = 20;
   std::vector<ModelingSettings> modelings;
   std::size_t reference = 0;  ///< index into modelings: what the others are compared with

@@ -85,7 +85,31 @@ struct StudyRules {
     check_loads(study.loads);
     check_prescribed(model, study.prescribe, path, mistakes);
     mistakes.require_between(path / "steps", study.steps, 1, most_steps);
+    if (study.arc_length) check_arc_length(study);
     check_modelings(model, study.modelings, study.reference, path, mistakes);
+  }
+
+  void check_arc_length(const PathStudy& study) const {
+    const KeyPath until = path / "until";
+    mistakes.require_finite(until / "load_factor", study.until.load_factor);
+    if (study.until.load_factor == 0.0)
+      mistakes.add(until / "load_factor", "the path starts there: another load factor is needed");
+    if (study.until.limit_points)
+      mistakes.require_between(until / "limit_points", *study.until.limit_points, 1, most_steps);
+    if (study.until.steps)
+      mistakes.require_between(until / "steps", *study.until.steps, 1, most_steps);
+    if (study.branch) {
+      mistakes.require_between(path / "branch" / "at", study.branch->at, 1, most_steps);
+      if (study.branch->side != 1 && study.branch->side != -1)
+        mistakes.add(path / "branch" / "side", "a bifurcation has two sides: 1 and -1");
+    }
+    for (std::size_t m = 0; m < study.modelings.size(); ++m) {
+      const auto* prbm = std::get_if<PrbmSettings>(&study.modelings[m].kind);
+      const auto* howell = prbm ? std::get_if<PrbmHowell>(&prbm->parameters) : nullptr;
+      if (howell && !howell->load_ratio)
+        mistakes.add(path / "modelings" / m,
+                     "Howell's parameters follow the load: by arc length they need a load_ratio");
+    }
   }
 
   void operator()(const InverseStudy& study) const {

@@ -45,14 +45,14 @@ struct PathEvent {
   PathState state;
 };
 
-/// Something a prescribed displacement passes on its way, seen from the force that it takes: a
-/// force that comes to a halt (a limit point under that force), or no force at all (an equilibrium
-/// of the mechanism left alone).
+/// Something a path passes on its way, seen from the force that it takes: a force that comes to a
+/// halt (a limit point under that force), or no force at all (an equilibrium of the mechanism left
+/// alone). The force is the reaction of a single driving displacement, or that of all loads.
 struct ReactionEvent {
   enum class Kind { halt, zero };
   Kind kind = Kind::halt;
   double load_factor = 0.0;
-  double reaction = 0.0;  ///< of the prescribed component
+  double reaction = 0.0;  ///< of the driving displacement; 0 under loads
   bool stable = true;     ///< of what is left alone; meant for `zero`
   PathState state;
 };
@@ -65,7 +65,8 @@ struct ModelingPath {
   std::vector<PathState> states;                    ///< states[0] is the undeformed mechanism
   std::vector<std::vector<MemberStation>> members;  ///< per flexure, at the last state
   std::vector<PathEvent> events;
-  /// Where a single displacement or rotation drives the mechanism, and no loads.
+  /// Of paths that a single displacement or rotation drives without loads, or that were followed by
+  /// arc length.
   std::vector<ReactionEvent> reaction_events;
   int unknowns = 0;
   int steps = 0;       ///< converged load steps, intermediate ones included
@@ -93,6 +94,8 @@ struct PathResult {
   std::vector<HeldPlace> held;  ///< what the reactions of all states belong to
   std::vector<ModelingPath> modelings;
   std::size_t reference = 0;  ///< index into modelings
+  /// States are those that a continuation took: the load factor need not grow.
+  bool by_arc_length = false;
 };
 
 }  // namespace flexura

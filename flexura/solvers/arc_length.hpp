@@ -35,27 +35,37 @@ struct ArcPassage {
   int iterations = 0;
 };
 
-/// Pseudo-arc-length continuation from a state where load control finds no way on.
+/// A state of a path with its unit tangent (tangent_z, tangent_load).
+struct ArcState {
+  double load_factor = 0.0;
+  std::vector<double> z;
+  std::vector<double> tangent_z;
+  double tangent_load = 0.0;
+};
+
+/// Pseudo-arc-length steps along a path. Lengths are those of (z, load factor), with z measured by
+/// the problem's `inner`.
 template <LoadedProblem Problem>
 class ArcLength {
  public:
   ArcLength(Problem& problem, double tolerance) : problem_(&problem), tolerance_(tolerance) {}
 
-  /// Follows the path until the load factor turns back (the limit point is then located), or the
-  /// path leads on less steeply.
+  /// From a state where load control finds no way on: follows the path until the load factor turns
+  /// back (the limit point is then located), or the path leads on less steeply.
   ArcPassage pass(const CurvePoint& start, double target);
 
- private:
-  struct State {
-    double load_factor = 0.0;
-    std::vector<double> z;
-    std::vector<double> tangent_z;  // unit tangent (tangent_z, tangent_load)
-    double tangent_load = 0.0;
-  };
+  /// The unit tangent, in the sense of `before` or else of a growing load factor. Precondition: the
+  /// problem is linearized at the state. False where the tangent has no direction.
+  bool set_tangent(ArcState& state, const ArcState* before);
+  /// The state at the given distance along the tangent, on the plane across it; the problem is then
+  /// linearized there.
+  bool step(const ArcState& from, double size, ArcState& to);
+  /// The limit point between two neighbouring states (see below).
+  bool locate(const ArcState& before, double size, ArcState& limit);
+  int iterations() const { return iterations_; }
 
-  bool set_tangent(State& state, const State* before);
-  bool step(const State& from, double size, State& to);
-  bool locate(const State& before, double size, State& limit);
+ private:
+  using State = ArcState;
 
   Problem* problem_;
   double tolerance_;
@@ -64,7 +74,7 @@ class ArcLength {
 
 /// Precondition: the problem is linearized at the state. Keeps the sense of `before`.
 template <LoadedProblem Problem>
-bool ArcLength<Problem>::set_tangent(State& state, const State* before) {
+bool ArcLength<Problem>::set_tangent(ArcState& state, const ArcState* before) {
   problem_->load_direction(state.tangent_z);
   const double size = std::sqrt(1.0 + problem_->inner(state.tangent_z, state.tangent_z));
   if (!std::isfinite(size)) return false;
@@ -79,7 +89,7 @@ bool ArcLength<Problem>::set_tangent(State& state, const State* before) {
 /// Corrects on the plane across the tangent at the given distance:
 /// dz = step + d(load factor) direction, and one scalar equation for d(load factor).
 template <LoadedProblem Problem>
-bool ArcLength<Problem>::step(const State& from, double size, State& to) {
+bool ArcLength<Problem>::step(const ArcState& from, double size, ArcState& to) {
   to.z = from.z;
   add_scaled(to.z, size, from.tangent_z);
   to.load_factor = from.load_factor + size * from.tangent_load;
@@ -101,7 +111,8 @@ bool ArcLength<Problem>::step(const State& from, double size, State& to) {
     add_scaled(to.z, 1.0, correction);
     to.load_factor += change;
     const double moved = std::sqrt(problem_->inner(correction, correction));
-    if (!std::isfinite(moved) || moved > 2.0 * before) return false;
+    // at first, what is inside the flexures may settle before the bodies do
+    if (!std::isfinite(moved) || (k > 2 && moved > 2.0 * before)) return false;
     if (moved <= std::max(tolerance_, 1e-12) || (moved < 1e-8 && moved > 0.3 * before)) {
       problem_->set_load_factor(to.load_factor);
       ++iterations_;
@@ -117,9 +128,11 @@ bool ArcLength<Problem>::step(const State& from, double size, State& to) {
 /// becomes the state nearest to it. At the point itself the equations are singular: failing there
 /// is as near as it gets, and near it the load factor is right to the square of the distance.
 template <LoadedProblem Problem>
-bool ArcLength<Problem>::locate(const State& before, double size, State& limit) {
+bool ArcLength<Problem>::locate(const ArcState& before, double size, ArcState& limit) {
   double low = 0.0, high = size;
-  double at_low = before.tangent_load, at_high = limit.tangent_load;
+  // seen along the way the load factor goes at first
+  const double sense = before.tangent_load < 0.0 ? -1.0 : 1.0;
+  double at_low = sense * before.tangent_load, at_high = sense * limit.tangent_load;
   // the tangent's load component has no scale of its own: huge loads make it tiny everywhere
   const double steepness = std::max(std::abs(at_low), std::abs(at_high));
   for (int k = 0; k < 60 && high - low > 1e-10 * size; ++k) {
@@ -127,13 +140,9 @@ bool ArcLength<Problem>::locate(const State& before, double size, State& limit) 
     if (k % 3 == 2) middle = 0.5 * (low + high);
     State trial;
     if (!step(before, middle, trial)) break;
-    if (trial.tangent_load > 0.0) {
-      low = middle;
-      at_low = trial.tangent_load;
-    } else {
-      high = middle;
-      at_high = trial.tangent_load;
-    }
+    const double slope = sense * trial.tangent_load;
+    (slope > 0.0 ? low : high) = middle;
+    (slope > 0.0 ? at_low : at_high) = slope;
     if (std::abs(trial.tangent_load) < std::abs(limit.tangent_load)) limit = std::move(trial);
     if (std::abs(limit.tangent_load) < 1e-8 * steepness) break;
   }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "flexura/studies/arc_tracer.hpp"
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_tracer.hpp"
 #include "flexura/studies/prescribed.hpp"
@@ -77,13 +78,32 @@ std::optional<double> relative_error(const TracedPath& traced,
   return worst;
 }
 
+/// Where a path followed by arc length turns back, and where it passes without load.
+std::vector<ReactionEvent> load_events(const Model& model, const TracedPath& traced) {
+  std::vector<ReactionEvent> events;
+  const auto add = [&](ReactionEvent::Kind kind, const auto& at) {
+    ReactionEvent event{kind, at.load_factor, 0.0, at.unstable_directions == 0,
+                        make_path_state(model, *traced.systems[at.system], at.z, at.load_factor)};
+    event.state.unstable_directions = at.unstable_directions;
+    events.push_back(std::move(event));
+  };
+  if (!traced.states.empty()) add(ReactionEvent::Kind::zero, traced.states.front());
+  for (const TracedEvent& event : traced.events) {
+    if (event.kind == "limit point") add(ReactionEvent::Kind::halt, event);
+    if (event.kind == "zero load") add(ReactionEvent::Kind::zero, event);
+  }
+  return events;
+}
+
 }  // namespace
 
 ModelingPath run_path(const Model& model, const PathStudy& study, const ModelingSettings& settings,
                       const std::function<bool(double)>& keep_going) {
   const auto start = std::chrono::steady_clock::now();
-  const TracedPath traced =
-      trace_path(model, study.loads, settings, {study.steps, true, study.prescribe, keep_going});
+  const TracedPath traced = study.arc_length
+                                ? trace_by_arc_length(model, study, settings, keep_going)
+                                : trace_path(model, study.loads, settings,
+                                             {study.steps, true, study.prescribe, keep_going});
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
 
   ModelingPath path;
@@ -103,6 +123,7 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
     if (system.linearize(s.z)) path.states.back().strain_energy = system.strain_energy();
   }
   for (const TracedEvent& event : traced.events) {
+    if (event.kind == "zero load") continue;
     path.events.push_back(
         {event.kind, event.load_factor,
          make_path_state(model, *traced.systems[event.system], event.z, event.load_factor)});
@@ -115,8 +136,35 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
     path.members = make_members(model, *traced.systems[last.system], last.z);
     path.error_estimate = relative_error(traced, path.states);
   }
-  path.reaction_events = find_reaction_events(model, study, traced);
+  path.reaction_events = study.arc_length && study.prescribe.empty()
+                             ? load_events(model, traced)
+                             : find_reaction_events(model, study, traced);
   return path;
+}
+
+/// By arc length every modeling takes steps of its own: landmarks that both pass are compared,
+/// those of the same kind in their order, and the end.
+std::optional<double> landmark_difference(const ModelingPath& path, const ModelingPath& reference,
+                                          const std::vector<double>& size) {
+  std::optional<double> worst;
+  const auto compare = [&](const PathState& a, const PathState& b) {
+    const std::vector<Vec2> here = points_of(a);
+    const std::vector<Vec2> there = points_of(b);
+    for (std::size_t p = 0; p < here.size(); ++p)
+      worst = std::max(worst.value_or(0.0), norm(here[p] - there[p]) / size[p]);
+  };
+  for (const char* kind : {"limit point", "bifurcation"}) {
+    std::size_t next = 0;
+    for (const PathEvent& event : path.events) {
+      if (event.kind != kind) continue;
+      while (next < reference.events.size() && reference.events[next].kind != kind) ++next;
+      if (next == reference.events.size()) break;
+      compare(event.state, reference.events[next++].state);
+    }
+  }
+  if (path.termination.converged() && reference.termination.converged())
+    compare(path.states.back(), reference.states.back());
+  return worst;
 }
 
 void compare_with_reference(PathResult& result) {
@@ -129,6 +177,10 @@ void compare_with_reference(PathResult& result) {
     ModelingPath& path = result.modelings[m];
     const std::size_t states = std::min(path.states.size(), reference.states.size());
     if (m == result.reference || states < 2) continue;  // the start alone says nothing
+    if (result.by_arc_length) {
+      path.difference = landmark_difference(path, reference, size);
+      continue;
+    }
     double worst = reaction_difference(path, reference, length);
     for (std::size_t k = 0; k < states; ++k) {
       const std::vector<Vec2> here = points_of(path.states[k]);

@@ -15,17 +15,10 @@ namespace {
 
 constexpr int most_ratio_updates = 40;
 
-double algebraic_tolerance(double tolerance) { return std::clamp(1e-2 * tolerance, 1e-13, 1e-9); }
-
 /// To three digits, so that the number in a message is still safe to use.
 double rounded_down(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-300))) - 2.0);
   return std::floor(value / unit) * unit;
-}
-
-bool chooses_modes(const ModelingSettings& settings) {
-  const auto* exact = std::get_if<ExactSettings>(&settings.kind);
-  return exact && !exact->modes;
 }
 
 using Stepping = LoadStepping<System>;
@@ -272,6 +265,13 @@ Termination PathTracer::singular_start() {
 }
 
 }  // namespace
+
+double algebraic_tolerance(double tolerance) { return std::clamp(1e-2 * tolerance, 1e-13, 1e-9); }
+
+bool chooses_modes(const ModelingSettings& settings) {
+  const auto* exact = std::get_if<ExactSettings>(&settings.kind);
+  return exact && !exact->modes;
+}
 
 std::vector<TrackedPoint> tracked_points(const Model& model) {
   std::vector<TrackedPoint> points;

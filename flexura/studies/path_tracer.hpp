@@ -51,6 +51,11 @@ struct TrackedPoint {
 /// The named points of all moving bodies; their centres if no point is named.
 std::vector<TrackedPoint> tracked_points(const Model& model);
 
+/// What is left to correct in a state, for a modeling's tolerance.
+double algebraic_tolerance(double tolerance);
+/// Whether the tolerance decides on the number of modes.
+bool chooses_modes(const ModelingSettings& settings);
+
 struct TraceOptions {
   int steps = 20;               ///< equal steps of the load factor from 0 to 1
   bool estimate_errors = true;  ///< where the modeling has a discretization

@@ -105,6 +105,7 @@ std::vector<ReactionEvent> find_reaction_events(const Model& model, const PathSt
   for (std::size_t k = 0; k + 1 < traced.states.size(); ++k) {
     const TracedState& from = traced.states[k];
     const TracedState& to = traced.states[k + 1];
+    if (to.load_factor <= from.load_factor) continue;  // snapping back
     System& system = *traced.systems[to.system];
     std::vector<double> z = from.z;
     for (std::size_t s = from.system; s < to.system; ++s)

@@ -93,6 +93,7 @@ class Run {
     result.loads = make_drawn_loads(model_, study.loads);
     PathResult path = make_path_names(model_);
     path.held = held_places(model_, study.prescribe);
+    path.by_arc_length = study.arc_length;
     result.content = std::move(path);
   }
   void prepare(const InverseStudy&, StudyResult& result) {

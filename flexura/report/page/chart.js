@@ -3,7 +3,7 @@
 class Chart {
   // options: title, xTitle, log (values are then percent), onSeek(x), empty (what to say where
   // there is nothing to draw), noise (a number or a function: a chart whose values are all smaller
-  // is drawn as zero).
+  // is drawn as zero), free (a curve that may turn back: no readout under the pointer).
   constructor(host, options) {
     this.options = options;
     this.lines = [];
@@ -137,7 +137,18 @@ class Chart {
     return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
   }
 
+  // Marks places of a free curve.
+  markAt(places) {
+    if (!this.markerGroup) return;
+    this.markerGroup.selectAll('*').remove();
+    for (const { x, y, colour } of places) {
+      this.markerGroup.append('circle').attr('cx', this.x(x)).attr('cy', this.y(y)).attr('r', 4)
+        .style('--colour', colour);
+    }
+  }
+
   drawMarker() {
+    if (this.options.free) return;
     if (!this.markerGroup || this.marker === null || this.lines.length === 0) return;
     const at = this.x(this.marker);
     this.markerGroup.selectAll('*').remove();
@@ -160,7 +171,7 @@ class Chart {
     };
     const seek = (event) => this.options.onSeek && this.options.onSeek(xOf(event));
     node.addEventListener('pointermove', (event) => {
-      if (this.lines.length === 0) return;
+      if (this.lines.length === 0 || this.options.free) return;
       if (event.buttons & 1) seek(event);
       this.showTip(xOf(event));
     });

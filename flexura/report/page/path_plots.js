@@ -20,6 +20,52 @@ const PathPlots = (() => {
     select.property('value', State.chosen.subject);
   }
 
+  // Load factor against a displacement, for paths on which the load turns back.
+  function loadCurve(path, timeline, place) {
+    return path.modelings.filter((m) => !State.chosen.hidden.has(m.label)).map((m) => {
+      const first = m.states[0];
+      const at = (state) => ({ x: place(state, first), y: state.load_factor });
+      return {
+        label: m.label,
+        colour: State.colour(m.label),
+        points: m.states.map((state) => ({ ...at(state), unstable: state.unstable })),
+        marks: m.events.filter((e) => e.state).map((e) => ({
+          ...at(e.state),
+          title: `${m.label}: ${e.kind} at load factor ${Numbers.short(e.load_factor)}`,
+        })),
+        isReference: m === path.modelings[path.reference],
+      };
+    });
+  }
+
+  function makeLoadCurves(host, study, subjects, timeline) {
+    const { path } = study;
+    const grid = d3.select(host).append('div').attr('class', 'charts').node();
+    const charts = ['x', 'y'].map((axis) => new Chart(grid, {
+      title: `Load factor against displacement in ${axis}`,
+      xTitle: `displacement in ${axis}, ${length}`,
+      free: true,
+    }));
+    const place = (axis) => (state, first) => {
+      const subject = subjects[State.chosen.subject];
+      return subject.place(state)[axis] - subject.place(first)[axis];
+    };
+    const mark = () => charts.forEach((chart, axis) => chart.markAt(
+      path.modelings.filter((m) => !State.chosen.hidden.has(m.label) && m.states.length > 0)
+        .map((m) => {
+          const i = Math.min(Math.round(State.chosen.position), m.states.length - 1);
+          const state = m.states[Math.max(0, i)];
+          return {
+            x: place(axis)(state, m.states[0]), y: state.load_factor, colour: State.colour(m.label),
+          };
+        })));
+    State.follow(['subject', 'hidden'], () => {
+      charts.forEach((chart, axis) => chart.show(loadCurve(path, timeline, place(axis))));
+      mark();
+    });
+    State.follow(['position'], mark);
+  }
+
   // One line per visible modeling: value(state, first state, modeling, index).
   function lines(path, timeline, value) {
     return path.modelings.filter((m) => !State.chosen.hidden.has(m.label)).map((m) => {
@@ -62,6 +108,7 @@ const PathPlots = (() => {
     const path = study.path;
     const reference = path.modelings[path.reference];
     chooser(host, subjects);
+    if (!timeline.byLoad) makeLoadCurves(host, study, subjects, timeline);
     const grid = d3.select(host).append('div').attr('class', 'charts').node();
     const common = optionsFor(timeline);
     const offset = (axis) => (subject) => (state, first) => (

@@ -1,0 +1,241 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "flexura/solvers/arc_length.hpp"
+#include "flexura/solvers/newton.hpp"
+
+namespace flexura {
+
+/// A loaded problem that knows, at a critical state, the direction it gives way in.
+template <class P>
+concept BranchingProblem = LoadedProblem<P> && requires(P p, std::vector<double>& direction) {
+  p.critical_direction(direction);
+};
+
+enum class PathFeature { limit_point, bifurcation, zero_load };
+
+/// Something located between two states of a continuation.
+struct LocatedFeature {
+  PathFeature feature = PathFeature::limit_point;
+  ArcState state;
+  int unstable_before = 0;
+  int unstable_after = 0;
+};
+
+struct ContinuationOptions {
+  double tolerance = 1e-11;
+  double largest_step = 0.1;    ///< arc length
+  double smallest_step = 1e-7;  ///< likewise
+};
+
+/// Follows a path of equilibria by pseudo-arc-length steps, through limit points and past
+/// bifurcations. A step is accepted where the path heads along it at both ends, to within 25
+/// degrees: only a short step can leave the path and still do that. Between two states it locates
+/// limit points (the load factor stands still), bifurcations (a direction becomes unstable or
+/// stable though the load factor does not turn) and zeros of the load factor.
+template <BranchingProblem Problem>
+class Continuation {
+ public:
+  Continuation(Problem& problem, ContinuationOptions options)
+      : problem_(&problem),
+        options_(options),
+        arc_(problem, options.tolerance),
+        newton_({options.tolerance, 30, 6}),
+        size_(0.2 * options.largest_step) {}
+
+  /// Begins at a state, in the sense of a growing load factor. False where it is singular.
+  bool start(double load_factor, const std::vector<double>& z);
+  /// One step on. False where no step of any size succeeds.
+  bool advance();
+  /// Replaces the last step by a state of the same stretch with this load factor, which must lie
+  /// between those of the last two states.
+  bool land(double load_factor);
+  /// Leaves the path at a bifurcation, along the critical direction (side 1) or against it (-1).
+  bool switch_branch(const ArcState& bifurcation, int side);
+  /// Goes on from a state of another, finer problem.
+  void change_problem(Problem& problem, const ArcState& here);
+
+  const ArcState& state() const { return here_; }
+  int unstable_directions() const { return unstable_; }
+  /// What the last `advance` passed, in order.
+  const std::vector<LocatedFeature>& features() const { return features_; }
+  int iterations() const { return arc_.iterations() + iterations_; }
+
+ private:
+  bool goes_on(const ArcState& next) const;
+  void locate_features(const ArcState& next, double size, int after);
+  bool locate_change(double size, ArcState& at);
+  bool locate_zero(double size, ArcState& at);
+
+  Problem* problem_;
+  ContinuationOptions options_;
+  ArcLength<Problem> arc_;
+  Newton newton_;
+  double size_;
+  ArcState here_;
+  ArcState before_;
+  int unstable_ = 0;
+  std::vector<LocatedFeature> features_;
+  int iterations_ = 0;
+};
+
+template <BranchingProblem Problem>
+bool Continuation<Problem>::start(double load_factor, const std::vector<double>& z) {
+  here_ = {load_factor, z, {}, 0.0};
+  problem_->set_load_factor(load_factor);
+  ++iterations_;
+  if (!problem_->linearize(z) || !arc_.set_tangent(here_, nullptr)) return false;
+  unstable_ = problem_->unstable_directions();
+  return true;
+}
+
+template <BranchingProblem Problem>
+bool Continuation<Problem>::goes_on(const ArcState& next) const {
+  std::vector<double> gone = next.z;
+  add_scaled(gone, -1.0, here_.z);
+  const double rise = next.load_factor - here_.load_factor;
+  const double length = std::sqrt(problem_->inner(gone, gone) + rise * rise);
+  const auto along = [&](const ArcState& state) {
+    return problem_->inner(gone, state.tangent_z) + rise * state.tangent_load;
+  };
+  constexpr double least = 0.906;  // cos 25 degrees
+  return along(here_) > least * length && along(next) > least * length;
+}
+
+template <BranchingProblem Problem>
+bool Continuation<Problem>::advance() {
+  features_.clear();
+  while (size_ >= options_.smallest_step) {
+    ArcState next;
+    if (!arc_.step(here_, size_, next) || !goes_on(next)) {
+      size_ *= 0.5;
+      continue;
+    }
+    const int after = problem_->unstable_directions();
+    locate_features(next, size_, after);
+    before_ = std::move(here_);
+    here_ = std::move(next);
+    unstable_ = after;
+    size_ = std::min(1.5 * size_, options_.largest_step);
+    return true;
+  }
+  return false;
+}
+
+template <BranchingProblem Problem>
+void Continuation<Problem>::locate_features(const ArcState& next, double size, int after) {
+  ArcState at = next;
+  if (here_.tangent_load * next.tangent_load < 0.0) {
+    if (arc_.locate(here_, size, at))
+      features_.push_back({PathFeature::limit_point, at, unstable_, after});
+  } else if (after != unstable_ && locate_change(size, at)) {
+    features_.push_back({PathFeature::bifurcation, at, unstable_, after});
+  }
+  if (here_.load_factor * next.load_factor < 0.0) {
+    at = next;
+    if (locate_zero(size, at)) {
+      const int unstable = problem_->unstable_directions();
+      features_.push_back({PathFeature::zero_load, at, unstable, unstable});
+    }
+  }
+}
+
+/// Bisection on the arc length for the end of the stretch with as many unstable directions as at
+/// its start. At the change itself the equations are singular: failing there is as near as it gets.
+template <BranchingProblem Problem>
+bool Continuation<Problem>::locate_change(double size, ArcState& at) {
+  double low = 0.0, high = size;
+  bool found = false;
+  while (high - low > 1e-11 * size) {
+    const double middle = 0.5 * (low + high);
+    ArcState trial;
+    if (!arc_.step(here_, middle, trial)) break;
+    (problem_->unstable_directions() == unstable_ ? low : high) = middle;
+    at = std::move(trial);
+    found = true;
+  }
+  return found && high - low < 1e-4 * size;
+}
+
+/// The load factor's zero by regula falsi on the arc length, then by Newton at no load.
+template <BranchingProblem Problem>
+bool Continuation<Problem>::locate_zero(double size, ArcState& at) {
+  double low = 0.0, high = size;
+  double at_low = here_.load_factor, at_high = at.load_factor;
+  for (int k = 0; k < 40 && high - low > 1e-8 * size; ++k) {
+    const double share = k % 3 == 2 ? 0.5 : at_low / (at_low - at_high);
+    const double middle = low + share * (high - low);
+    ArcState trial;
+    if (!arc_.step(here_, middle, trial)) break;
+    const bool below = (trial.load_factor < 0.0) == (at_low < 0.0);
+    (below ? low : high) = middle;
+    (below ? at_low : at_high) = trial.load_factor;
+    at = std::move(trial);
+  }
+  problem_->set_load_factor(0.0);
+  const NewtonSummary summary = newton_.solve(*problem_, at.z);
+  iterations_ += summary.iterations + 1;
+  at.load_factor = 0.0;
+  return summary.outcome == NewtonOutcome::converged && problem_->linearize(at.z);
+}
+
+template <BranchingProblem Problem>
+bool Continuation<Problem>::land(double load_factor) {
+  const double rise = here_.load_factor - before_.load_factor;
+  const double share = rise == 0.0 ? 1.0 : (load_factor - before_.load_factor) / rise;
+  std::vector<double> z = before_.z;
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] += share * (here_.z[i] - before_.z[i]);
+  problem_->set_load_factor(load_factor);
+  const NewtonSummary summary = newton_.solve(*problem_, z);
+  iterations_ += summary.iterations + 1;
+  if (summary.outcome != NewtonOutcome::converged || !problem_->linearize(z)) return false;
+  here_ = {load_factor, std::move(z), {}, 0.0};
+  unstable_ = problem_->unstable_directions();
+  return arc_.set_tangent(here_, &before_);
+}
+
+template <BranchingProblem Problem>
+bool Continuation<Problem>::switch_branch(const ArcState& bifurcation, int side) {
+  ArcState from = bifurcation;
+  problem_->set_load_factor(from.load_factor);
+  ++iterations_;
+  if (!problem_->linearize(from.z)) return false;
+  problem_->critical_direction(from.tangent_z);
+  // across the path that is left
+  const double along = problem_->inner(from.tangent_z, bifurcation.tangent_z);
+  const double square = problem_->inner(bifurcation.tangent_z, bifurcation.tangent_z);
+  if (square > 0.0) add_scaled(from.tangent_z, -along / square, bifurcation.tangent_z);
+  const double length = std::sqrt(problem_->inner(from.tangent_z, from.tangent_z));
+  if (!(length > 1e-6)) return false;
+  for (double& t : from.tangent_z) t *= side / length;
+  from.tangent_load = 0.0;
+  for (double size = 0.2 * options_.largest_step; size > 1e-4 * options_.largest_step;
+       size *= 0.5) {
+    ArcState next;
+    if (!arc_.step(from, size, next)) continue;
+    features_.clear();
+    unstable_ = problem_->unstable_directions();
+    before_ = from;
+    here_ = std::move(next);
+    size_ = size;
+    return true;
+  }
+  return false;
+}
+
+template <BranchingProblem Problem>
+void Continuation<Problem>::change_problem(Problem& problem, const ArcState& here) {
+  iterations_ += arc_.iterations();
+  problem_ = &problem;
+  arc_ = ArcLength<Problem>(problem, options_.tolerance);
+  here_ = here;
+  problem_->set_load_factor(here_.load_factor);
+  if (problem_->linearize(here_.z)) unstable_ = problem_->unstable_directions();
+}
+
+}  // namespace flexura
