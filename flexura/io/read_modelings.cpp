@@ -30,6 +30,7 @@ ModelingSettings::Kind default_kind(const std::string& name) {
   if (name == "prbm") return PrbmSettings{};
   if (name == "exact") return ExactSettings{};
   if (name == "beam") return BeamSettings{};
+  if (name == "bcm") return BcmSettings{};
   return LinearSettings{};
 }
 
@@ -37,6 +38,7 @@ ModelingSettings::Kind read_kind(Reading& reading, TableReader& table, const std
   if (name == "scmbm") return read_scmbm(reading, table);
   if (name == "exact") return read_exact(table);
   if (name == "beam") return read_beam(reading, table);
+  if (name == "bcm") return BcmSettings{table.integer("elements", BcmSettings{}.elements)};
   const auto parameters = name == "prbm" ? table.find("parameters") : std::nullopt;
   if (parameters) return read_prbm_parameters(reading, *parameters);
   return default_kind(name);

@@ -119,7 +119,8 @@ const Vocabulary& modeling(const std::string& modeling) {
       {"scmbm", with({"at"})},
       {"prbm", with({"parameters"})},
       {"exact", with({"modes"})},
-      {"beam", with({"theory", "elements", "order"})}};
+      {"beam", with({"theory", "elements", "order"})},
+      {"bcm", with({"elements"})}};
   const auto at = particular.find(modeling);
   return at == particular.end() ? common : at->second;
 }
@@ -136,7 +137,7 @@ const Vocabulary& study_kinds() {
 }
 
 const Vocabulary& modelings() {
-  static const Vocabulary v{{"linear", "scmbm", "prbm", "exact", "beam"}, {"continuum", "bcm"}};
+  static const Vocabulary v{{"linear", "scmbm", "prbm", "exact", "beam", "bcm"}, {"continuum"}};
   return v;
 }
 

@@ -111,6 +111,13 @@ struct ModelingRules {
     mistakes.require_between(path / "elements", beam.elements, 1, 100000);
     mistakes.require_between(path / "order", beam.order, 1, 8);
   }
+  void operator()(const BcmSettings& bcm) const {
+    mistakes.require_between(path / "elements", bcm.elements, 1, 200);
+    const std::string curved = flexures_unlike(model, Shape::straight);
+    if (curved.empty()) return;
+    mistakes.add(path,
+                 fmt::format("modeling bcm is for straight flexures; this model has {}", curved));
+  }
 };
 
 }  // namespace

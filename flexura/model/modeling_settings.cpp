@@ -9,6 +9,7 @@ struct Name {
   const char* operator()(const PrbmSettings&) const { return "prbm"; }
   const char* operator()(const ExactSettings&) const { return "exact"; }
   const char* operator()(const BeamSettings&) const { return "beam"; }
+  const char* operator()(const BcmSettings&) const { return "bcm"; }
 };
 
 }  // namespace

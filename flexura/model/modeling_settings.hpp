@@ -56,10 +56,15 @@ struct BeamSettings {
   int order = 1;
 };
 
+/// Beam constraint model of straight flexures, chained where there are several elements.
+struct BcmSettings {
+  int elements = 1;  ///< per flexure
+};
+
 /// A modeling as a study asks for it.
 struct ModelingSettings {
-  using Kind =
-      std::variant<LinearSettings, ScmbmSettings, PrbmSettings, ExactSettings, BeamSettings>;
+  using Kind = std::variant<LinearSettings, ScmbmSettings, PrbmSettings, ExactSettings,
+                            BeamSettings, BcmSettings>;
 
   Kind kind;
   std::string label;  ///< names the results; by default the modeling's name
@@ -69,7 +74,7 @@ struct ModelingSettings {
   SourcePosition source;
 };
 
-/// "linear", "scmbm", "prbm", "exact" or "beam".
+/// "linear", "scmbm", "prbm", "exact", "beam" or "bcm".
 std::string modeling_name(const ModelingSettings& settings);
 
 }  // namespace flexura

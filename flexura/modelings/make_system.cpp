@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "flexura/modelings/bcm.hpp"
 #include "flexura/modelings/beam.hpp"
 #include "flexura/modelings/compliance.hpp"
 #include "flexura/modelings/exact.hpp"
@@ -41,6 +42,9 @@ struct PortMaker {
   }
   PlacedPort operator()(const BeamSettings& settings) const {
     return {make_beam_port(flexure, settings), end()};
+  }
+  PlacedPort operator()(const BcmSettings& settings) const {
+    return {make_bcm_port(flexure, settings), end()};
   }
 };
 

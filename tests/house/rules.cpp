@@ -26,7 +26,7 @@ constexpr std::array rooms = {
     Room{"flexura/io", 3},       Room{"flexura/studies", 4},  Room{"apps/flexura", 5},
 };
 
-constexpr std::array modelings = {"linear", "scmbm", "prbm", "exact", "beam", "continuum"};
+constexpr std::array modelings = {"linear", "scmbm", "prbm", "exact", "beam", "bcm", "continuum"};
 
 constexpr std::size_t most_columns = 100;
 constexpr std::size_t most_lines = 400;

@@ -36,6 +36,9 @@ inline ModelingSettings exact_modes(int modes) {
 inline ModelingSettings beam(int elements, int order) {
   return settings_of(BeamSettings{elements, order}, "beam", 1e-11);
 }
+inline ModelingSettings bcm(int elements = 1) {
+  return settings_of(BcmSettings{elements}, "bcm", 1e-11);
+}
 
 /// The reference solutions' theories: i without axial and shear strain, ii without shear strain,
 /// iii with both.
