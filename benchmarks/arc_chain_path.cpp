@@ -66,7 +66,7 @@ std::vector<Case> beams_of_error(double error) {
   for (int order = 3; order <= 8; ++order)
     for (int elements = 1; elements <= 32; ++elements) {
       Case c = make_case(fmt::format("beam/order:{}/elements:{}", order, elements),
-                         make_settings(BeamSettings{elements, order}), false);
+                         make_settings(BeamSettings{elements, order, {}}), false);
       if (c.error > error) continue;
       cases.push_back(std::move(c));
       break;
@@ -78,7 +78,7 @@ std::vector<Case> beams_of_error(double error) {
 Case two_node_beam(double error) {
   const auto at = [](int elements) {
     return make_case(fmt::format("beam/order:1/elements:{}", elements),
-                     make_settings(BeamSettings{elements, 1}), false);
+                     make_settings(BeamSettings{elements, 1, {}}), false);
   };
   int elements = 64;
   while (at(elements).error > error) elements *= 2;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "flexura/core/nearest_word.hpp"
 #include "flexura/io/read_studies.hpp"
 #include "flexura/io/table_reader.hpp"
@@ -18,11 +20,35 @@ ExactSettings read_exact(TableReader& table) {
 }
 
 BeamSettings read_beam(Reading& reading, TableReader& table) {
-  if (const auto theory = table.find("theory")) {
-    read_word(reading, *theory, "beam theory", vocabulary::theories());
+  BeamSettings beam;
+  if (const auto place = table.find("theory")) {
+    const auto theory = read_word(reading, *place, "beam theory", vocabulary::theories());
+    if (theory == "von_karman") beam.theory = BeamSettings::Theory::von_karman;
+    if (theory == "linear" || theory == "euler_bernoulli" || theory == "timoshenko")
+      beam.theory = BeamSettings::Theory::linear;
   }
-  const BeamSettings defaults;
-  return {table.integer("elements", defaults.elements), table.integer("order", defaults.order)};
+  beam.elements = table.integer("elements", beam.elements);
+  beam.order = table.integer("order", beam.order);
+  if (beam.theory != BeamSettings::Theory::exact && table.has("order")) {
+    reading.report_key(table.path(), "order", table.position("order"),
+                       "these elements have two nodes and a quintic deflection; only exact ones "
+                       "have an order");
+  }
+  return beam;
+}
+
+/// Euler and Bernoulli's beam does not shear: that is what its name says.
+void settle_shear(Reading& reading, TableReader& table, ModelingSettings& settings) {
+  const TomlNode* theory = nullptr;
+  if (const auto place = table.find("theory")) theory = place->node;
+  const std::string* word = theory ? theory->string() : nullptr;
+  if (!word || (*word != "euler_bernoulli" && *word != "timoshenko")) return;
+  const bool shears = *word == "timoshenko";
+  if (table.has("shear") && settings.shear != shears) {
+    reading.report_key(table.path(), "shear", table.position("shear"),
+                       fmt::format("the theory '{}' {} shear", *word, shears ? "has" : "has no"));
+  }
+  settings.shear = shears;
 }
 
 ModelingSettings::Kind default_kind(const std::string& name) {
@@ -76,6 +102,7 @@ ModelingSettings read_modeling_table(Reading& reading, const Place& place) {
   settings.label = label ? read_text(reading, *label).value_or(*name) : *name;
   settings.axial = table.boolean("axial", true);
   settings.shear = table.boolean("shear", true);
+  settle_shear(reading, table, settings);
   settings.tolerance = table.quantity("tolerance", dimensions::number, settings.tolerance);
   return settings;
 }

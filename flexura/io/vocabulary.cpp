@@ -147,7 +147,8 @@ const Vocabulary& parameter_sets() {
 }
 
 const Vocabulary& theories() {
-  static const Vocabulary v{{"exact"}, {"linear", "euler_bernoulli", "timoshenko", "von_karman"}};
+  static const Vocabulary v{{"exact", "von_karman", "linear", "euler_bernoulli", "timoshenko"},
+                            {"printed"}};
   return v;
 }
 

@@ -95,7 +95,7 @@ struct LinearStudy {
 
 /// Where a path followed by arc length ends, whichever comes first.
 struct PathEnd {
-  double load_factor = 1.0;        ///< first reached from the side the path comes from
+  double load_factor = 1.0;         ///< first reached from the side the path comes from
   std::optional<int> limit_points;  ///< so many passed
   std::optional<int> steps;         ///< so many taken
 };

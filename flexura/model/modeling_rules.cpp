@@ -98,6 +98,7 @@ struct ModelingRules {
   const Model& model;
   const KeyPath path;
   Mistakes& mistakes;
+  bool axial;
 
   void operator()(const LinearSettings&) const {}
   void operator()(const ScmbmSettings&) const {}
@@ -110,6 +111,8 @@ struct ModelingRules {
   void operator()(const BeamSettings& beam) const {
     mistakes.require_between(path / "elements", beam.elements, 1, 100000);
     mistakes.require_between(path / "order", beam.order, 1, 8);
+    if (beam.theory != BeamSettings::Theory::exact && !axial)
+      mistakes.add(path / "axial", "these elements need axial strain; exact ones do without");
   }
   void operator()(const BcmSettings& bcm) const {
     mistakes.require_between(path / "elements", bcm.elements, 1, 200);
@@ -129,7 +132,7 @@ void check_modelings(const Model& model, const std::vector<ModelingSettings>& mo
   for (std::size_t i = 0; i < modelings.size(); ++i) {
     const ModelingSettings& settings = modelings[i];
     const KeyPath entry = path / "modelings" / i;
-    std::visit(ModelingRules{model, entry, mistakes}, settings.kind);
+    std::visit(ModelingRules{model, entry, mistakes, settings.axial}, settings.kind);
     if (!(settings.tolerance > 0.0 && settings.tolerance < 1.0)) {
       mistakes.add(entry / "tolerance",
                    fmt::format("must lie between 0 and 1, is {}", settings.tolerance));

@@ -50,10 +50,14 @@ struct ExactSettings {
   std::optional<int> modes;  ///< Legendre modes per smooth piece; chosen from tolerance if absent
 };
 
-/// Geometrically exact beam elements, `order` + 1 nodes each.
+/// Beam elements: geometrically exact ones of `order` + 1 nodes each, or two-node ones with a
+/// quintic deflection, by von Karman's strains in frames that follow the elements or by the linear
+/// theory (Euler-Bernoulli without shear, Timoshenko with it).
 struct BeamSettings {
+  enum class Theory { exact, von_karman, linear };
   int elements = 16;  ///< per flexure
-  int order = 1;
+  int order = 1;      ///< of exact elements
+  Theory theory = Theory::exact;
 };
 
 /// Beam constraint model of straight flexures, chained where there are several elements.

@@ -27,4 +27,8 @@ SectionState section_at(const StationGrid& grid, std::size_t station, const Pose
 std::shared_ptr<const TwoPort> make_force_beam_port(const FlexureProperties& flexure,
                                                     const BeamSettings& settings);
 
+/// Elements by von Karman's strains or by the linear theory. Precondition: axial compliance > 0.
+std::shared_ptr<const TwoPort> make_hermite_beam_port(const FlexureProperties& flexure,
+                                                      const BeamSettings& settings);
+
 }  // namespace flexura

@@ -33,8 +33,8 @@ class ForceBeamPort final : public TwoPort {
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
   std::shared_ptr<const TwoPort> refined() const override {
-    return std::make_shared<ForceBeamPort>(flexure_,
-                                           BeamSettings{2 * settings_.elements, settings_.order});
+    return std::make_shared<ForceBeamPort>(
+        flexure_, BeamSettings{2 * settings_.elements, settings_.order, {}});
   }
   void prolong(std::span<const double> internal, std::span<double> refined) const override {
     prolong_nodes(mesh_, BeamMesh(flexure_.axis, 2 * settings_.elements, settings_.order), 1,

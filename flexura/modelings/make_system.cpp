@@ -54,7 +54,9 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
                          const ModelingSettings& settings,
                          const std::vector<std::optional<double>>& load_ratios) {
   SystemLayout layout;
-  layout.linearised = std::holds_alternative<LinearSettings>(settings.kind);
+  const auto* beam = std::get_if<BeamSettings>(&settings.kind);
+  layout.linearised = std::holds_alternative<LinearSettings>(settings.kind) ||
+                      (beam && beam->theory == BeamSettings::Theory::linear);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     layout.bodies.push_back(
         {body_centre(model, b), !model.bodies[b].fixed, body_can_turn(model, b)});

@@ -60,6 +60,52 @@ INSTANTIATE_TEST_SUITE_P(Orders, BeamConvergence,
                                   test.param.theory;
                          });
 
+/// The frames follow the elements, and what is left of rotation in them shrinks with the elements:
+/// von Karman's strains tend to the exact beam's, by the second order.
+TEST(VonKarmanConvergence, IsOfSecondOrderToTheExactBeam) {
+  for (const std::string theory : {"ii", "iii"}) {
+    double before = 0.0;
+    for (int elements = 16; elements <= 128; elements *= 2) {
+      const Pose pose = solve(in_theory(von_karman(elements), theory));
+      const double error = distance(pose, converged(theory), 10.0);
+      if (before > 0.0) {
+        const double rate = std::log2(before / error);
+        note_measured("rate_" + theory + "_" + std::to_string(elements), rate);
+        EXPECT_NEAR(rate, 2.0, 0.15) << elements;
+      }
+      before = error;
+    }
+  }
+}
+
+/// A strip 10^4 times as long as thick bends as easily by few elements as by many: the axial
+/// displacement gives way.
+TEST(VonKarmanConvergence, DoesNotLock) {
+  const double thin = 1e-3;
+  Mechanism strip;
+  strip.material(1e3, 0.3).section(RectangleSection{thin, 1.0});
+  strip.fixed("ground").body("tip").flexure("ground", "tip", ArcAxis{{0.0, 5.0}, 5.0, -1.5, 2.0});
+  const double load = 0.5 * 1e3 * thin * thin * thin / 12.0 / 100.0;
+  const auto tip = [&](int elements) {
+    return final_pose(strip, {strip.load("tip", {0.0, load})}, von_karman(elements), 1, 2);
+  };
+  const Pose fine = tip(64);
+  EXPECT_LT(distance(tip(8), fine, 10.0), 5e-3);
+  EXPECT_LT(distance(tip(32), fine, 10.0), 5e-4);
+}
+
+/// Straight elements are exact for the linear theory: one of them has the compliance matrix.
+TEST(LinearBeam, OneElementHasTheComplianceMatrix) {
+  const Mechanism frame = portal_frame();
+  const Load load = frame.load("left", {0.28, -0.1}, 0.02);
+  for (const std::string theory : {"ii", "iii"})
+    for (const int elements : {1, 5}) {
+      const Pose beam = final_pose(frame, {load}, in_theory(linear_beam(elements), theory), 2);
+      const Pose matrix = final_pose(frame, {load}, in_theory(linear(), theory), 2);
+      EXPECT_LT(distance(beam, matrix, 0.7), 1e-11) << theory << elements;
+    }
+}
+
 /// Two more modes gain more and more digits: the error falls faster than geometrically.
 TEST(ExactConvergence, IsSpectral) {
   double before = distance(solve(exact_modes(4)), converged("iii"), 10.0);

@@ -28,9 +28,7 @@ inline ModelingSettings no_strain(ModelingSettings settings) { return in_theory(
 
 /// Su's and Howell's parameters are fits, unsymmetrical ones; SCMBM relates load and displacement
 /// in the frame of its base body alone; neither it nor a pseudo-rigid chain is right at half its
-/// length. Elements of the beam constraint
-/// model count from the frame of their base. Two halves of a two-node mesh have other nodes than
-/// the whole.
+/// length. Two halves of a two-node mesh have other nodes than the whole.
 inline std::vector<SuiteEntry> suite_entries() {
   const auto prbm_by = [](PrbmSettings parameters) { return no_strain(prbm(parameters)); };
   const PrbmSegments segments{{0.2, 0.3, 0.3, 0.2}, {3.0, 2.5, 3.0}};
@@ -49,10 +47,13 @@ inline std::vector<SuiteEntry> suite_entries() {
           {"exact_unshearable", in_theory(exact_modes(14), "ii")},
           {"beam_order_1", beam(16, 1), true, true, no, no},
           {"beam_order_4", beam(8, 4)},
+          {"beam_order_4_inextensible", no_strain(beam(8, 4))},
           {"bcm", in_theory(bcm(), "ii"), no, no, no},
           {"bcm_chain", in_theory(bcm(4), "ii"), no, no, no},
           {"bcm_inextensible", no_strain(bcm()), no, no, no},
-          {"beam_order_4_inextensible", no_strain(beam(8, 4))}};
+          {"von_karman", von_karman(16), true, true, no, no},
+          {"von_karman_unshearable", in_theory(von_karman(16), "ii"), true, true, no, no},
+          {"linear_beam", linear_beam(8), true, true, no, no}};
 }
 
 /// A chain of two flexures, ground - link - stage, with the point "stage.P" off its last end; arcs

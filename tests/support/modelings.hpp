@@ -34,7 +34,14 @@ inline ModelingSettings exact_modes(int modes) {
   return settings_of(ExactSettings{modes}, "exact_" + std::to_string(modes), 1e-11);
 }
 inline ModelingSettings beam(int elements, int order) {
-  return settings_of(BeamSettings{elements, order}, "beam", 1e-11);
+  return settings_of(BeamSettings{elements, order, BeamSettings::Theory::exact}, "beam", 1e-11);
+}
+inline ModelingSettings von_karman(int elements) {
+  return settings_of(BeamSettings{elements, 1, BeamSettings::Theory::von_karman}, "von_karman",
+                     1e-11);
+}
+inline ModelingSettings linear_beam(int elements) {
+  return settings_of(BeamSettings{elements, 1, BeamSettings::Theory::linear}, "linear_beam", 1e-11);
 }
 inline ModelingSettings bcm(int elements = 1) {
   return settings_of(BcmSettings{elements}, "bcm", 1e-11);

@@ -1,0 +1,202 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "flexura/core/jet2.hpp"
+#include "flexura/core/symmetric_factor.hpp"
+#include "flexura/modelings/beam_common.hpp"
+#include "flexura/modelings/beam_mesh.hpp"
+#include "flexura/modelings/station_grid.hpp"
+
+namespace flexura {
+
+/// Beam elements from an energy density: Lagrange interpolation of displacement and rotation on
+/// Gauss-Lobatto nodes, one Gauss point less per element than nodes, so that nothing locks.
+///
+/// `Density` is a value type with a template
+///     Scalar operator()(dx, dy, theta, kappa, stretch) const
+/// that gives the strain energy per length from the derivative (dx, dy) of the position by the arc
+/// length of the undeformed axis, the angle theta of the section's normal, and the curvature change
+/// kappa; `stretch` is the length of (dx, dy) at rest. Residual and tangent follow by
+/// differentiation at the Gauss points. docs/new_element.md shows how to add one.
+template <class Density>
+class LagrangeBeamPort final : public TwoPort {
+ public:
+  LagrangeBeamPort(const FlexureProperties& flexure, BeamSettings settings, Density density)
+      : flexure_(flexure),
+        density_(std::move(density)),
+        settings_(settings),
+        mesh_(flexure.axis, settings.elements, settings.order),
+        chord_(flexure.axis.position(mesh_.length) - flexure.axis.position(0.0)) {}
+
+  std::size_t internal_size() const override { return 3 * (mesh_.nodes() - 1); }
+  std::size_t scratch_size() const override {
+    return internal_size() * (4 + 2 * (width() + 1) + 1);
+  }
+  TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
+                        double* scratch) const override;
+  std::vector<SectionState> sections(const Eigen::Vector3d& load,
+                                     std::span<const double> internal) const override;
+  std::shared_ptr<const TwoPort> refined() const override {
+    return std::make_shared<LagrangeBeamPort>(
+        flexure_, BeamSettings{2 * settings_.elements, settings_.order, {}}, density_);
+  }
+  void prolong(std::span<const double> internal, std::span<double> refined) const override;
+  double error_ratio() const override { return halving_error_ratio(mesh_); }
+
+ private:
+  std::size_t width() const { return 3 * (mesh_.order + 1) - 1; }
+  double add_point(std::size_t element, std::size_t gauss, const double* y, double* residual,
+                   double* band) const;
+
+  FlexureProperties flexure_;
+  Density density_;
+  BeamSettings settings_;
+  BeamMesh mesh_;
+  Vec2 chord_;
+};
+
+/// Adds one Gauss point to residual and tangent. Unknowns of node k >= 1 are y[3 (k-1)..]: the
+/// displacement over the flexure's length, and the rotation. The density's four variables are
+/// linear in them, so the chain rule is a pair of products with shape values.
+template <class Density>
+double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gauss, const double* y,
+                                            double* residual, double* band) const {
+  using Jet = Jet2<4>;
+  const std::size_t per = mesh_.order + 1;
+  const double* n = mesh_.shape.data() + gauss * per;
+  const double* d = mesh_.slope.data() + gauss * per;
+  const BeamMesh::GaussPoint& point = mesh_.points[element * mesh_.order + gauss];
+  const std::size_t first = element * mesh_.order;  // node
+  const double length = mesh_.length;
+
+  double dx = point.tangent.x, dy = point.tangent.y, theta = point.angle, kappa = 0.0;
+  for (std::size_t a = first == 0 ? 1 : 0; a < per; ++a) {
+    const double* node = y + 3 * (first + a - 1);
+    dx += length * d[a] * node[0];
+    dy += length * d[a] * node[1];
+    theta += n[a] * node[2];
+    kappa += d[a] * node[2];
+  }
+  Jet energy = density_(Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
+                        Jet::variable(3, kappa), point.stretch);
+  energy *= point.weight;
+
+  const std::size_t stride = width() + 1;
+  for (std::size_t a = first == 0 ? 1 : 0; a < per; ++a) {
+    const double da = length * d[a];
+    const std::size_t i = 3 * (first + a - 1);
+    residual[4 * i] += da * energy.gradient[0];
+    residual[4 * (i + 1)] += da * energy.gradient[1];
+    residual[4 * (i + 2)] += n[a] * energy.gradient[2] + d[a] * energy.gradient[3];
+    // Hessian times the columns of node a
+    std::array<std::array<double, 3>, 4> h;
+    for (std::size_t v = 0; v < 4; ++v)
+      h[v] = {da * energy.second(v, 0), da * energy.second(v, 1),
+              n[a] * energy.second(v, 2) + d[a] * energy.second(v, 3)};
+    for (std::size_t b = first == 0 ? 1 : 0; b <= a; ++b) {
+      const double db = length * d[b];
+      const std::size_t j = 3 * (first + b - 1);
+      for (std::size_t r = 0; r < 3; ++r) {
+        double* row = band + (i + r) * stride + width() - (i + r);  // row[c] is entry (i + r, c)
+        row[j] += db * h[0][r];
+        if (j + 1 <= i + r) row[j + 1] += db * h[1][r];
+        if (j + 2 <= i + r) row[j + 2] += n[b] * h[2][r] + d[b] * h[3][r];
+      }
+    }
+  }
+  return energy.value;
+}
+
+template <class Density>
+TipResponse LagrangeBeamPort<Density>::linearize(const Eigen::Vector3d& load, const double* y,
+                                                 double* scratch) const {
+  const std::size_t m = internal_size();
+  const std::size_t last = m - 3;
+  const double length = mesh_.length;
+  double* columns = scratch;
+  double* band = scratch + 4 * m;
+  std::fill_n(scratch, scratch_size(), 0.0);
+
+  TipResponse response;
+  for (std::size_t e = 0; e < mesh_.elements; ++e)
+    for (std::size_t g = 0; g < mesh_.order; ++g)
+      response.strain_energy += add_point(e, g, y, columns, band);
+  const double lever[3] = {length, length, 1.0};  // of the tip's unknowns on its pose
+  for (std::size_t c = 0; c < 3; ++c) {
+    columns[4 * (last + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
+    columns[4 * (last + c) + c + 1] = -lever[c];
+  }
+  const std::size_t size = m * (width() + 1);
+  response.singular = !solve_symmetric(band, band_layout(m, width()), band + size, band + 2 * size,
+                                       columns, response.negative);
+  response.tip << chord_.x, chord_.y, 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto row = static_cast<Eigen::Index>(c);
+    response.tip[row] += lever[c] * (y[last + c] - columns[4 * (last + c)]);
+    for (std::size_t k = 0; k < 3; ++k)
+      response.flexibility(row, static_cast<Eigen::Index>(k)) =
+          -lever[c] * columns[4 * (last + c) + k + 1];
+  }
+  return response;
+}
+
+template <class Density>
+std::vector<SectionState> LagrangeBeamPort<Density>::sections(
+    const Eigen::Vector3d& load, std::span<const double> internal) const {
+  const StationGrid grid(flexure_.axis);
+  std::vector<double> nodal(3, 0.0);
+  nodal.insert(nodal.end(), internal.begin(), internal.end());
+  const Vec2 tip = chord_ + mesh_.length * Vec2{nodal[nodal.size() - 3], nodal[nodal.size() - 2]};
+  std::vector<SectionState> states;
+  for (std::size_t k = 0; k < grid.s.size(); ++k) {
+    double u[3];
+    mesh_.interpolate(grid.s[k], nodal, u);
+    const Pose moved{grid.positions[k] + mesh_.length * Vec2{u[0], u[1]}, u[2]};
+    states.push_back(section_at(grid, k, moved, tip, load));
+  }
+  return states;
+}
+
+/// Rotations are interpolated; positions follow from them, without axial and shear strain.
+/// (Positions interpolated as well would stretch a thin curved flexure out of all proportion.)
+template <class Density>
+void LagrangeBeamPort<Density>::prolong(std::span<const double> internal,
+                                        std::span<double> refined) const {
+  const BeamMesh fine(flexure_.axis, 2 * settings_.elements, settings_.order);
+  std::vector<double> coarse_turns, turns(fine.nodes() - 1);
+  for (std::size_t i = 2; i < internal.size(); i += 3) coarse_turns.push_back(internal[i]);
+  prolong_nodes(mesh_, fine, 1, coarse_turns, turns);
+  turns.insert(turns.begin(), 0.0);
+
+  const std::vector<double> integrate = fine.antiderivative();
+  Vec2 start;  // displacement of the element's first node
+  for (std::size_t e = 0; e < fine.elements; ++e) {
+    std::vector<Vec2> slopes;
+    for (std::size_t g = 0; g < fine.order; ++g) {
+      double turn = 0.0;
+      for (std::size_t a = 0; a <= fine.order; ++a)
+        turn += fine.shape[g * (fine.order + 1) + a] * turns[e * fine.order + a];
+      const Vec2 tangent = fine.points[e * fine.order + g].tangent;
+      slopes.push_back(rotate(turn, tangent) - tangent);
+    }
+    Vec2 moved;
+    for (std::size_t a = 1; a <= fine.order; ++a) {
+      moved = start;
+      for (std::size_t g = 0; g < fine.order; ++g)
+        moved = moved + integrate[a * fine.order + g] * slopes[g];
+      const std::size_t node = e * fine.order + a;
+      refined[3 * (node - 1)] = moved.x / fine.length;
+      refined[3 * (node - 1) + 1] = moved.y / fine.length;
+      refined[3 * (node - 1) + 2] = turns[node];
+    }
+    start = moved;
+  }
+}
+
+}  // namespace flexura
