@@ -103,7 +103,7 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
   const TracedPath traced = study.arc_length
                                 ? trace_by_arc_length(model, study, settings, keep_going)
                                 : trace_path(model, study.loads, settings,
-                                             {study.steps, true, study.prescribe, keep_going});
+                                             {study.steps, true, keep_going, study.prescribe});
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
 
   ModelingPath path;

@@ -59,9 +59,9 @@ bool chooses_modes(const ModelingSettings& settings);
 struct TraceOptions {
   int steps = 20;               ///< equal steps of the load factor from 0 to 1
   bool estimate_errors = true;  ///< where the modeling has a discretization
-  std::vector<Prescribed> prescribed = {};
   /// Asked after each output step with the fraction done; false stops. May be empty.
-  std::function<bool(double)> keep_going;
+  std::function<bool(double)> keep_going = {};
+  std::vector<Prescribed> prescribed = {};  ///< imposed displacements, growing with the loads
 };
 
 /// Follows the equilibria of one modeling under growing loads.

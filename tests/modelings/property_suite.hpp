@@ -28,7 +28,8 @@ inline ModelingSettings no_strain(ModelingSettings settings) { return in_theory(
 
 /// Su's and Howell's parameters are fits, unsymmetrical ones; SCMBM relates load and displacement
 /// in the frame of its base body alone; neither it nor a pseudo-rigid chain is right at half its
-/// length. Two halves of a two-node mesh have other nodes than the whole.
+/// length. Elements of the beam constraint model count from the frame of their base. Two halves of
+/// a two-node mesh have other nodes than the whole.
 inline std::vector<SuiteEntry> suite_entries() {
   const auto prbm_by = [](PrbmSettings parameters) { return no_strain(prbm(parameters)); };
   const PrbmSegments segments{{0.2, 0.3, 0.3, 0.2}, {3.0, 2.5, 3.0}};

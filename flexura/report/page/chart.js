@@ -68,6 +68,8 @@ class Chart {
       return;
     }
     this.scales();
+    this.fitMargin();
+    this.scales();
     this.drawAxes();
     const area = this.svg.append('g').attr('class', 'chart-lines');
     // The reference lies broad under what is compared with it, so that neither hides the other.
@@ -77,6 +79,20 @@ class Chart {
     this.hover = this.svg.append('line').attr('class', 'chart-hover');
     this.markerGroup = this.svg.append('g').attr('class', 'chart-marker');
     this.drawMarker();
+  }
+
+  yLabel(value) {
+    return this.options.log && value < 1e-3
+      ? Numbers.powerOfTen(Math.round(Math.log10(value))) : Numbers.short(value);
+  }
+
+  // Room on the left for the widest label, in whatever font the reader has.
+  fitMargin() {
+    const probe = this.svg.append('g').attr('class', 'chart-axis').append('text');
+    const widths = this.yTicks().map((tick) => (
+      probe.text(this.yLabel(tick)).node().getComputedTextLength()));
+    this.margin.left = Math.max(58, Math.ceil(d3.max(widths) || 0) + 12);
+    this.svg.selectAll('*').remove();
   }
 
   yTicks() {
@@ -95,10 +111,8 @@ class Chart {
     grid.selectAll('line').data(ticks).enter().append('line')
       .attr('x1', left).attr('x2', right).attr('y1', this.y).attr('y2', this.y)
       .classed('is-zero', (t) => t === 0);
-    const text = (value) => (this.options.log && value < 1e-3
-      ? Numbers.powerOfTen(Math.round(Math.log10(value))) : Numbers.short(value));
     this.svg.append('g').attr('class', 'chart-axis').attr('transform', `translate(${left},0)`)
-      .call(d3.axisLeft(this.y).tickValues(ticks).tickFormat(text).tickSize(0).tickPadding(7));
+      .call(d3.axisLeft(this.y).tickValues(ticks).tickFormat((v) => this.yLabel(v)).tickSize(0).tickPadding(7));
     this.svg.append('g').attr('class', 'chart-axis').attr('transform', `translate(0,${floor})`)
       .call(d3.axisBottom(this.x).ticks(5).tickFormat((v) => Numbers.short(v)).tickSize(4));
     this.svg.append('text').attr('class', 'chart-x-title').attr('text-anchor', 'end')
