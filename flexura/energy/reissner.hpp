@@ -22,6 +22,24 @@ Scalar reissner_mixed_potential(const Scalar& theta, const Scalar& fx, const Sca
   return -ft - 0.5 * (axial_compliance * (ft * ft) + shear_compliance * (fn * fn));
 }
 
+/// The same with compliances that differ from lane to lane of the scalar: varying sections.
+template <class Scalar, class Lanes>
+Scalar reissner_mixed_potential_by_lane(const Scalar& theta, const Scalar& fx, const Scalar& fy,
+                                        const Lanes& axial_compliance,
+                                        const Lanes& shear_compliance) {
+  using std::cos;
+  using std::sin;
+  const Scalar c = cos(theta);
+  const Scalar s = sin(theta);
+  const Scalar ft = fx * c + fy * s;
+  const Scalar fn = fy * c - fx * s;
+  Scalar axial = ft * ft;
+  Scalar shear = fn * fn;
+  axial *= axial_compliance;
+  shear *= shear_compliance;
+  return -ft - 0.5 * (axial + shear);
+}
+
 /// Stiffnesses of a section: EA, GA_s, EI.
 struct SectionStiffness {
   double axial = 0.0;

@@ -28,4 +28,20 @@ SectionProperties section_properties(const Section& section) {
   return std::visit([](const auto& s) { return properties(s); }, section);
 }
 
+SectionProperties section_properties(const Section& section, double s, double length) {
+  Section local = section;
+  if (auto* r = std::get_if<RectangleSection>(&local))
+    r->thickness = profile_height(r->profile, r->thickness, s, length);
+  if (auto* c = std::get_if<CircleSection>(&local))
+    c->diameter = profile_height(c->profile, c->diameter, s, length);
+  return section_properties(local);
+}
+
+const Profile* varying_profile(const Section& section) {
+  const Profile* profile = nullptr;
+  if (const auto* r = std::get_if<RectangleSection>(&section)) profile = &r->profile;
+  if (const auto* c = std::get_if<CircleSection>(&section)) profile = &c->profile;
+  return profile && !std::holds_alternative<LeafProfile>(*profile) ? profile : nullptr;
+}
+
 }  // namespace flexura

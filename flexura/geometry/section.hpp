@@ -3,16 +3,20 @@
 #include <optional>
 #include <variant>
 
+#include "flexura/geometry/section_profile.hpp"
+
 namespace flexura {
 
 /// `thickness` lies in the plane of motion, `width` across it.
 struct RectangleSection {
   double thickness = 0.0;
   double width = 0.0;
+  Profile profile = LeafProfile{};  ///< of the thickness along a flexure
 };
 
 struct CircleSection {
   double diameter = 0.0;
+  Profile profile = LeafProfile{};  ///< of the diameter along a flexure
 };
 
 /// Any section by its properties. Left out, the shear area is 5/6 of the area and the depth (the
@@ -35,6 +39,13 @@ struct SectionProperties {
   double depth = 0.0;          ///< height in the plane of motion; extreme fibres at +-depth/2
 };
 
+/// Of the section's own thickness, without its profile.
 SectionProperties section_properties(const Section& section);
+
+/// At arc length s of a flexure of length `length`.
+SectionProperties section_properties(const Section& section, double s, double length);
+
+/// The profile of a section that varies along a flexure; null for others.
+const Profile* varying_profile(const Section& section);
 
 }  // namespace flexura

@@ -8,6 +8,41 @@
 namespace flexura {
 namespace {
 
+Profile read_profile(Reading& reading, const Place& place) {
+  TableReader table(reading, place, vocabulary::profile());
+  const auto kind = table.exactly_one_of(vocabulary::profile().keys);
+  if (!kind) return LeafProfile{};
+  const Place inside = *table.find(*kind);
+  if (*kind == "piecewise") {
+    PiecewiseProfile piecewise;
+    for (const Place& point : read_list(reading, inside, "points [share of the length, factor]"))
+      piecewise.points.push_back(read_vector(reading, point, dimensions::number).value_or(Vec2{}));
+    return piecewise;
+  }
+  if (*kind == "taper") {
+    TableReader taper(reading, inside, vocabulary::taper());
+    return TaperProfile{taper.required_quantity("end", dimensions::length)};
+  }
+  if (*kind == "elliptic") {
+    TableReader notch(reading, inside, vocabulary::elliptic());
+    return NotchProfile{notch.required_quantity("a", dimensions::length),
+                        notch.required_quantity("b", dimensions::length)};
+  }
+  if (*kind == "leaf") {
+    TableReader leaf(reading, inside, vocabulary::no_keys());
+    return LeafProfile{};
+  }
+  TableReader round(reading, inside, vocabulary::round());
+  const double radius = round.required_quantity("radius", dimensions::length);
+  if (*kind == "circular") return NotchProfile{radius, radius};
+  return FilletProfile{radius};
+}
+
+Profile read_optional_profile(Reading& reading, const TableReader& table) {
+  const auto place = table.find("profile");
+  return place ? read_profile(reading, *place) : LeafProfile{};
+}
+
 Section read_section(Reading& reading, const Place& place) {
   TableReader table(reading, place, vocabulary::section());
   const auto shape = table.exactly_one_of(vocabulary::section().keys);
@@ -16,11 +51,13 @@ Section read_section(Reading& reading, const Place& place) {
   if (*shape == "rectangle") {
     TableReader rectangle(reading, shape_place, vocabulary::rectangle());
     return RectangleSection{rectangle.required_quantity("thickness", dimensions::length),
-                            rectangle.required_quantity("width", dimensions::length)};
+                            rectangle.required_quantity("width", dimensions::length),
+                            read_optional_profile(reading, rectangle)};
   }
   if (*shape == "circle") {
     TableReader circle(reading, shape_place, vocabulary::circle());
-    return CircleSection{circle.required_quantity("diameter", dimensions::length)};
+    return CircleSection{circle.required_quantity("diameter", dimensions::length),
+                         read_optional_profile(reading, circle)};
   }
   TableReader general(reading, shape_place, vocabulary::general());
   return GeneralSection{general.required_quantity("area", dimensions::area),

@@ -22,17 +22,43 @@ const Vocabulary& material() {
 }
 
 const Vocabulary& section() {
-  static const Vocabulary v{{"rectangle", "circle", "general"}, {"profile"}};
+  static const Vocabulary v{{"rectangle", "circle", "general"}, {}};
   return v;
 }
 
 const Vocabulary& rectangle() {
-  static const Vocabulary v{{"thickness", "width"}, {"profile"}};
+  static const Vocabulary v{{"thickness", "width", "profile"}, {}};
   return v;
 }
 
 const Vocabulary& circle() {
-  static const Vocabulary v{{"diameter"}, {"profile"}};
+  static const Vocabulary v{{"diameter", "profile"}, {}};
+  return v;
+}
+
+const Vocabulary& profile() {
+  static const Vocabulary v{
+      {"leaf", "taper", "piecewise", "circular", "elliptic", "corner_filleted"}, {}};
+  return v;
+}
+
+const Vocabulary& no_keys() {
+  static const Vocabulary v{{}, {}};
+  return v;
+}
+
+const Vocabulary& taper() {
+  static const Vocabulary v{{"end"}, {}};
+  return v;
+}
+
+const Vocabulary& round() {
+  static const Vocabulary v{{"radius"}, {}};
+  return v;
+}
+
+const Vocabulary& elliptic() {
+  static const Vocabulary v{{"a", "b"}, {}};
   return v;
 }
 

@@ -136,6 +136,7 @@ void check_entities(const Model& model, Mistakes& mistakes) {
   for (const NamedSection& section : model.sections) {
     std::visit(SectionRules{{"sections", section.name}, mistakes}, section.shape);
   }
+  check_profiles(model, mistakes);
   for (const Body& body : model.bodies) check_body(body, mistakes);
   for (const Flexure& flexure : model.flexures) check_flexure(model, flexure, mistakes);
 }

@@ -11,7 +11,19 @@ namespace {
 
 enum class Shape { straight, symmetric, any };
 
-bool has_shape(const Flexure& flexure, Shape shape) {
+/// Constant or alike from both ends: what equal springs need.
+bool is_symmetric(const Section& section) {
+  const Profile* profile = varying_profile(section);
+  return !profile || std::holds_alternative<NotchProfile>(*profile) ||
+         std::holds_alternative<FilletProfile>(*profile);
+}
+
+bool has_shape(const Model& model, const Flexure& flexure, Shape shape) {
+  if (flexure.section < model.sections.size()) {
+    const Section& section = model.sections[flexure.section].shape;
+    if (shape == Shape::symmetric ? !is_symmetric(section) : varying_profile(section) != nullptr)
+      return false;
+  }
   if (shape == Shape::straight) return std::holds_alternative<LineAxis>(flexure.axis);
   return shape == Shape::any || !std::holds_alternative<SplineAxis>(flexure.axis);
 }
@@ -22,7 +34,7 @@ std::string flexures_unlike(const Model& model, Shape shape) {
   std::string names;
   int count = 0;
   for (const Flexure& flexure : model.flexures) {
-    if (has_shape(flexure, shape)) continue;
+    if (has_shape(model, flexure, shape)) continue;
     if (++count <= most_named) names += (names.empty() ? "'" : ", '") + flexure.name + "'";
   }
   if (count > most_named) names += fmt::format(" and {} more", count - most_named);
@@ -64,6 +76,7 @@ struct PrbmRules {
   }
 
   void operator()(const PrbmJoints& joints) const {
+    need(Shape::any, "joints");
     const KeyPath path = modeling / "parameters" / "joints";
     if (joints.joints.size() != joints.stiffness.size()) {
       mistakes.add(path, fmt::format("there are {} joints but {} springs in stiffness",
@@ -76,13 +89,17 @@ struct PrbmRules {
   }
 
  private:
+  static const char* words(Shape shape) {
+    if (shape == Shape::symmetric) return "symmetric";
+    return shape == Shape::straight ? "straight" : "uniform";
+  }
+
   void need(Shape shape, const char* parameters) const {
     const std::string names = flexures_unlike(model, shape);
     if (names.empty()) return;
     mistakes.add(modeling, fmt::format("modeling prbm with parameters '{}' is for {} flexures; "
                                        "this model has {}",
-                                       parameters,
-                                       shape == Shape::straight ? "straight" : "symmetric", names));
+                                       parameters, words(shape), names));
   }
 
   void check_stiffness(const std::vector<double>& stiffness) const {

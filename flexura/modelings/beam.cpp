@@ -18,6 +18,16 @@ struct ReissnerDensity {
   }
 };
 
+/// The same with a section that varies.
+struct VaryingReissnerDensity {
+  FlexureProperties flexure;
+
+  ReissnerDensity at(double s) const {
+    const FlexureProperties::Local local = flexure.at(s);
+    return {{1.0 / local.axial_compliance, 1.0 / local.shear_compliance, local.bending_stiffness}};
+  }
+};
+
 }  // namespace
 
 std::shared_ptr<const TwoPort> make_beam_port(const FlexureProperties& flexure,
@@ -25,6 +35,10 @@ std::shared_ptr<const TwoPort> make_beam_port(const FlexureProperties& flexure,
   if (settings.theory != BeamSettings::Theory::exact)
     return make_hermite_beam_port(flexure, settings);
   if (flexure.axial_compliance > 0.0 && flexure.shear_compliance > 0.0) {
+    if (flexure.varying) {
+      const VaryingReissnerDensity density{flexure};
+      return std::make_shared<LagrangeBeamPort<VaryingReissnerDensity>>(flexure, settings, density);
+    }
     const ReissnerDensity density{{1.0 / flexure.axial_compliance, 1.0 / flexure.shear_compliance,
                                    flexure.bending_stiffness}};
     return std::make_shared<LagrangeBeamPort<ReissnerDensity>>(flexure, settings, density);

@@ -3,6 +3,7 @@
 #include "flexura/assembly/angle_field.hpp"
 #include "flexura/energy/reissner.hpp"
 #include "flexura/modelings/beam_common.hpp"
+#include "flexura/modelings/point_compliances.hpp"
 
 namespace flexura {
 namespace {
@@ -24,8 +25,8 @@ class ForceBeamPort final : public TwoPort {
       const Pack2 shorter{mesh_stretch(g) - 1.0, mesh_stretch(g + 1) - 1.0};
       auto along = fx * cos(theta) + fy * sin(theta);
       along *= shorter;
-      return reissner_mixed_potential(theta, fx, fy, flexure_.axial_compliance,
-                                      flexure_.shear_compliance) -
+      return reissner_mixed_potential_by_lane(theta, fx, fy, compliances_.axial(g),
+                                              compliances_.shear(g)) -
              along;
     };
     return linearize_angle_field(field_, potential, load, internal, scratch);
@@ -51,6 +52,7 @@ class ForceBeamPort final : public TwoPort {
   BeamSettings settings_;
   BeamMesh mesh_;
   AngleField field_;
+  PointCompliances compliances_;
 };
 
 ForceBeamPort::ForceBeamPort(const FlexureProperties& flexure, BeamSettings settings)
@@ -75,9 +77,10 @@ ForceBeamPort::ForceBeamPort(const FlexureProperties& flexure, BeamSettings sett
       field_.turns[p * n + i] = shape[a];
       for (std::size_t b = first == 0 ? 1 : 0; b < per; ++b)
         field_.stiffness[i * n + first + b - 1] +=
-            weight * flexure.bending_stiffness * slope[a] * slope[b];
+            weight * flexure.at(mesh_.points[p].s).bending_stiffness * slope[a] * slope[b];
     }
     field_.weights.push_back(weight);
+    compliances_.add(flexure.at(mesh_.points[p].s));
     field_.angles.push_back(mesh_.points[p].angle);
     drawn = drawn + weight * mesh_.points[p].tangent;
   }
@@ -87,7 +90,7 @@ ForceBeamPort::ForceBeamPort(const FlexureProperties& flexure, BeamSettings sett
 
 std::vector<SectionState> ForceBeamPort::sections(const Eigen::Vector3d& load,
                                                   std::span<const double> internal) const {
-  const StationGrid grid(flexure_.axis);
+  const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
   std::vector<double> nodal(1, 0.0);
   nodal.insert(nodal.end(), internal.begin(), internal.end());
   const Vec2 f{load[0], load[1]};
@@ -102,10 +105,10 @@ std::vector<SectionState> ForceBeamPort::sections(const Eigen::Vector3d& load,
     poses.push_back({moved, turn_at(grid.s[k])});
     if (k + 1 == grid.s.size()) break;
     for (std::size_t g = grid.first[k]; g < grid.first[k + 1]; ++g) {
+      const FlexureProperties::Local local = flexure_.at(grid.nodes[g].s);
       const Vec2 e = unit(grid.nodes[g].angle + turn_at(grid.nodes[g].s));
-      moved =
-          moved + grid.nodes[g].weight * ((1.0 + flexure_.axial_compliance * dot(f, e)) * e +
-                                          flexure_.shear_compliance * dot(f, perp(e)) * perp(e));
+      moved = moved + grid.nodes[g].weight * ((1.0 + local.axial_compliance * dot(f, e)) * e +
+                                              local.shear_compliance * dot(f, perp(e)) * perp(e));
     }
   }
   std::vector<SectionState> states;

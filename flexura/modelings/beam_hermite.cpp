@@ -336,7 +336,7 @@ Pose HermiteBeamPort::axis_pose(std::size_t element, double x, Vec2 drawn, const
 
 std::vector<SectionState> HermiteBeamPort::sections(const Eigen::Vector3d& load,
                                                     std::span<const double> internal) const {
-  const StationGrid grid(flexure_.axis);
+  const StationGrid grid(flexure_.axis, flexure_.axis.breaks());
   const std::size_t last = internal.size() - 4;
   const Vec2 tip = chord_ + length_ * Vec2{internal[last], internal[last + 1]};
   std::vector<SectionState> states;

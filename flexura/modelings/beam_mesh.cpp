@@ -49,8 +49,9 @@ BeamMesh::BeamMesh(const AxisCurve& axis, int element_count, int element_order)
       Vec2 tangent;
       for (std::size_t a = 0; a <= order; ++a)
         tangent = tangent + slope[g * (order + 1) + a] * nodes_here[a];
-      points.push_back(
-          {half * rule.weights[g], tangent, std::atan2(tangent.y, tangent.x), norm(tangent)});
+      points.push_back({half * rule.weights[g],
+                        half * (2.0 * static_cast<double>(e) + 1.0 + rule.nodes[g]), tangent,
+                        std::atan2(tangent.y, tangent.x), norm(tangent)});
     }
   }
 }

@@ -15,8 +15,9 @@ namespace flexura {
 struct BeamMesh {
   struct GaussPoint {
     double weight = 0.0;  ///< of ds
-    Vec2 tangent;         ///< derivative by s of the axis as drawn, interpolated like displacements
-    double angle = 0.0;   ///< of it
+    double s = 0.0;
+    Vec2 tangent;        ///< derivative by s of the axis as drawn, interpolated like displacements
+    double angle = 0.0;  ///< of it
     double stretch = 0.0;  ///< its length
   };
 

@@ -15,7 +15,7 @@ int points_for(double turning) { return 12 + 2 * static_cast<int>(std::ceil(turn
 
 Eigen::Matrix3d compliance_matrix(const FlexureProperties& flexure, Vec2 at) {
   const AxisCurve& axis = flexure.axis;
-  const auto& breaks = axis.breaks();
+  const std::vector<double> breaks = flexure.smooth_breaks();
   const QuadratureRule& rule = gauss_legendre(points_for(axis.turning()));
   Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
   for (std::size_t piece = 0; piece + 1 < breaks.size(); ++piece) {
@@ -28,9 +28,10 @@ Eigen::Matrix3d compliance_matrix(const FlexureProperties& flexure, Vec2 at) {
       const Eigen::Vector3d v(-arm.y, arm.x, 1.0);
       const Eigen::Vector3d axial(t.x, t.y, 0.0);
       const Eigen::Vector3d normal(-t.y, t.x, 0.0);
-      c += (ds / flexure.bending_stiffness) * v * v.transpose();
-      c += (ds * flexure.axial_compliance) * axial * axial.transpose();
-      c += (ds * flexure.shear_compliance) * normal * normal.transpose();
+      const FlexureProperties::Local local = flexure.at(s);
+      c += (ds / local.bending_stiffness) * v * v.transpose();
+      c += (ds * local.axial_compliance) * axial * axial.transpose();
+      c += (ds * local.shear_compliance) * normal * normal.transpose();
     }
   }
   return c;
@@ -59,7 +60,7 @@ TipResponse CompliantPort::linearize(const Eigen::Vector3d& load, const double* 
 /// The linear field between base and tip, from forces in equilibrium on the flexure as drawn.
 std::vector<SectionState> CompliantPort::sections(const Eigen::Vector3d& load,
                                                   std::span<const double> /*internal*/) const {
-  const StationGrid grid(flexure_.axis);
+  const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
   const Vec2 f{load[0], load[1]};
   const auto moment_at = [&](Vec2 r) { return load[2] + cross(at_ - r, f); };
   std::vector<SectionState> states;
@@ -75,11 +76,12 @@ std::vector<SectionState> CompliantPort::sections(const Eigen::Vector3d& load,
     for (std::size_t g = grid.first[k]; g < grid.first[k + 1]; ++g) {
       const StationGrid::Node& node = grid.nodes[g];
       const Vec2 e = unit(node.angle);
-      const double k_bending = node.weight * moment_at(node.position) / flexure_.bending_stiffness;
+      const FlexureProperties::Local local = flexure_.at(node.s);
+      const double k_bending = node.weight * moment_at(node.position) / local.bending_stiffness;
       turn += k_bending;
       turn_moment = turn_moment + k_bending * node.position;
-      strain = strain + node.weight * (flexure_.axial_compliance * dot(f, e) * e +
-                                       flexure_.shear_compliance * dot(f, perp(e)) * perp(e));
+      strain = strain + node.weight * (local.axial_compliance * dot(f, e) * e +
+                                       local.shear_compliance * dot(f, perp(e)) * perp(e));
     }
   }
   return states;

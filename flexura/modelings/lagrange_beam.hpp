@@ -83,8 +83,16 @@ double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gau
     theta += n[a] * node[2];
     kappa += d[a] * node[2];
   }
-  Jet energy = density_(Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
+  const auto energy_of = [&](const auto& density) {
+    return density(Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
                         Jet::variable(3, kappa), point.stretch);
+  };
+  Jet energy = [&] {
+    if constexpr (requires { density_.at(point.s); })  // of a section that varies
+      return energy_of(density_.at(point.s));
+    else
+      return energy_of(density_);
+  }();
   energy *= point.weight;
 
   const std::size_t stride = width() + 1;
@@ -149,7 +157,7 @@ TipResponse LagrangeBeamPort<Density>::linearize(const Eigen::Vector3d& load, co
 template <class Density>
 std::vector<SectionState> LagrangeBeamPort<Density>::sections(
     const Eigen::Vector3d& load, std::span<const double> internal) const {
-  const StationGrid grid(flexure_.axis);
+  const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
   std::vector<double> nodal(3, 0.0);
   nodal.insert(nodal.end(), internal.begin(), internal.end());
   const Vec2 tip = chord_ + mesh_.length * Vec2{nodal[nodal.size() - 3], nodal[nodal.size() - 2]};

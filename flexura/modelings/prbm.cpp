@@ -84,7 +84,7 @@ std::vector<Vec2> PseudoRigidPort::drawn_axis(std::span<const SectionState> /*se
 /// with the part of the joint's rotation that lies before it, about the joint.
 std::vector<SectionState> PseudoRigidPort::sections(const Eigen::Vector3d& load,
                                                     std::span<const double> internal) const {
-  const StationGrid grid(flexure_.axis);
+  const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
   const std::vector<Vec2> moved = drawn_axis({}, internal);
   const Vec2 f{load[0], load[1]};
   std::vector<SectionState> states;

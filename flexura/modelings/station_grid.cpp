@@ -7,7 +7,7 @@
 
 namespace flexura {
 
-StationGrid::StationGrid(const AxisCurve& axis) {
+StationGrid::StationGrid(const AxisCurve& axis, const std::vector<double>& breaks) {
   const double length = axis.length();
   const Vec2 start = axis.position(0.0);
   const QuadratureRule& rule = gauss_legendre(nodes_per_interval);
@@ -18,9 +18,8 @@ StationGrid::StationGrid(const AxisCurve& axis) {
   }
   first.push_back(0);
   for (std::size_t k = 0; k + 1 < s.size(); ++k) {
-    // an interval is cut at the knots of a spline, where the axis is less smooth
     std::vector<double> cuts{s[k]};
-    for (const double b : axis.breaks())
+    for (const double b : breaks)
       if (b > s[k] && b < s[k + 1]) cuts.push_back(b);
     cuts.push_back(s[k + 1]);
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {

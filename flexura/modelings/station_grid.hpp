@@ -17,7 +17,9 @@ struct StationGrid {
     double angle = 0.0;   ///< of the tangent as drawn
   };
 
-  explicit StationGrid(const AxisCurve& axis);
+  /// Intervals between stations are cut at `breaks`, arc lengths where axis or section are less
+  /// smooth.
+  StationGrid(const AxisCurve& axis, const std::vector<double>& breaks);
 
   /// Integrals along the axis, from its base end, of a function given at the nodes.
   template <class Value>

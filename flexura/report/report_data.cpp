@@ -20,6 +20,7 @@ Json drawing_json(const Drawing& drawing, const DrawnCoordinates& coordinates) {
                         {"pinned_action", f.pinned_action},
                         {"depth", rounded(f.depth)},
                         {"axis", coordinates(f.axis)}});
+    for (const double depth : f.depths) flexures.back()["depths"].push_back(rounded(depth));
   }
   Json bodies = Json::array();
   for (const DrawnBody& b : drawing.bodies) {

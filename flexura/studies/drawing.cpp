@@ -29,6 +29,13 @@ Drawing make_drawing(const Model& model) {
     drawn.depth = section_properties(model.sections[flexure.section].shape).depth;
     for (int k = 0; k < station_count; ++k)
       drawn.axis.push_back(axis.position(axis.length() * k / (station_count - 1)));
+    const Section& section = model.sections[flexure.section].shape;
+    if (varying_profile(section)) {
+      for (int k = 0; k < station_count; ++k) {
+        const double s = axis.length() * k / (station_count - 1);
+        drawn.depths.push_back(section_properties(section, s, axis.length()).depth);
+      }
+    }
     drawing.bodies[flexure.base].ends.push_back(drawn.axis.front());
     drawing.bodies[flexure.action].ends.push_back(drawn.axis.back());
     drawing.flexures.push_back(std::move(drawn));

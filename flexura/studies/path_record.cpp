@@ -76,16 +76,17 @@ std::vector<std::vector<MemberStation>> make_members(const Model& model, const S
   for (std::size_t k = 0; k < model.flexures.size(); ++k) {
     const ToGlobal to_global(system, k, z);
     const DrawnSections sections = sections_of(system, k, z);
-    const SectionProperties section =
-        section_properties(model.sections[model.flexures[k].section].shape);
-    const double modulus = section.second_moment / (0.5 * section.depth);
     const double length = system.layout().members[k].length;
     std::vector<MemberStation> stations;
     for (std::size_t i = 0; i < sections.now.size(); ++i) {
       const SectionState& s = sections.now[i];
       const auto intervals = static_cast<double>(sections.now.size() - 1);
+      const double at = length * static_cast<double>(i) / intervals;
+      const SectionProperties section =
+          section_properties(model.sections[model.flexures[k].section].shape, at, length);
+      const double modulus = section.second_moment / (0.5 * section.depth);
       stations.push_back(
-          {length * static_cast<double>(i) / intervals,
+          {at,
            {to_global.point(s.pose.position, drawn_place(sections, i)),
             to_global.rotation(s.pose.rotation)},
            s.axial_force,

@@ -19,13 +19,25 @@ const Mechanism = (() => {
   const smooth = d3.line().curve(d3.curveCatmullRom);
   const straight = d3.line();
 
+  // A section that varies: a strip of pieces, each as wide as the section is there.
+  function variedItems(view, axis, flexure, look) {
+    return axis.slice(1).map((p, k) => ({
+      ...look,
+      d: straight([view.project(axis[k]), view.project(p)]),
+      width: Math.max(
+        thinnestFlexure, 0.5 * (flexure.depths[k] + flexure.depths[k + 1]) * view.scale),
+      key: `${look.key} ${flexure.name} ${k}`,
+    }));
+  }
+
   function flexureItems(view, axes, look) {
-    return axes.map((axis, i) => ({
+    return axes.flatMap((axis, i) => (flexures[i].depths && !look.chain ? variedItems(
+      view, axis, flexures[i], look) : [{
       ...look,
       d: (look.chain ? straight : smooth)(axis.map((p) => view.project(p))),
       width: look.chain ? 1.6 : Math.max(thinnestFlexure, flexures[i].depth * view.scale),
       key: `${look.key} ${flexures[i].name}`,
-    }));
+    }]));
   }
 
   // The joints of a chain of rigid segments.

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include "flexura/model/rules.hpp"
+
+namespace flexura {
+namespace {
+
+KeyPath profile_path(const NamedSection& section) {
+  const KeyPath path = {"sections", section.name};
+  return path / (section.shape.index() == 0 ? "rectangle" : "circle") / "profile";
+}
+
+struct ProfileRules {
+  const KeyPath path;
+  Mistakes& mistakes;
+
+  void operator()(const LeafProfile&) const {}
+  void operator()(const TaperProfile& taper) const {
+    mistakes.require_positive(path / "taper" / "end", taper.end);
+  }
+  void operator()(const PiecewiseProfile& table) const {
+    const KeyPath here = path / "piecewise";
+    if (table.points.size() < 2) {
+      mistakes.add(here, fmt::format("needs two points or more, has {}", table.points.size()));
+      return;
+    }
+    if (table.points.front().x != 0.0 || table.points.back().x != 1.0)
+      mistakes.add(here, "must begin at 0 and end at 1, the ends of the flexure");
+    for (std::size_t k = 0; k < table.points.size(); ++k) {
+      mistakes.require_positive(here / k / std::size_t{1}, table.points[k].y);
+      if (k > 0 && !(table.points[k].x > table.points[k - 1].x))
+        mistakes.add(here / k, "must lie beyond the point before it");
+    }
+  }
+  void operator()(const NotchProfile& notch) const {
+    if (notch.a == notch.b) {
+      mistakes.require_positive(path / "circular" / "radius", notch.a);
+      return;
+    }
+    mistakes.require_positive(path / "elliptic" / "a", notch.a);
+    mistakes.require_positive(path / "elliptic" / "b", notch.b);
+  }
+  void operator()(const FilletProfile& fillet) const {
+    mistakes.require_positive(path / "corner_filleted" / "radius", fillet.radius);
+  }
+};
+
+/// How much of a flexure's length a profile takes, if it takes any.
+double length_needed(const Profile& profile) {
+  if (const auto* notch = std::get_if<NotchProfile>(&profile)) return 2.0 * notch->a;
+  if (const auto* fillet = std::get_if<FilletProfile>(&profile)) return 2.0 * fillet->radius;
+  return 0.0;
+}
+
+void check_room(const Model& model, const Flexure& flexure, Mistakes& mistakes) {
+  if (flexure.section >= model.sections.size()) return;
+  const NamedSection& section = model.sections[flexure.section];
+  const Profile* profile = varying_profile(section.shape);
+  if (!profile) return;
+  const double needed = length_needed(*profile);
+  const auto* line = std::get_if<LineAxis>(&flexure.axis);
+  const auto* arc = std::get_if<ArcAxis>(&flexure.axis);
+  const auto* spline = std::get_if<SplineAxis>(&flexure.axis);
+  const bool drawable = (line && norm(line->end - line->start) > 0.0) ||
+                        (arc && arc->radius > 0.0 && arc->sweep != 0.0) ||
+                        (spline && spline->points.size() >= 2);
+  if (!(needed > 0.0) || !drawable) return;
+  const double length = AxisCurve(flexure.axis).length();
+  if (needed > length * (1.0 + 1e-9))
+    mistakes.add(KeyPath{"flexures", flexure.name} / "section",
+                 fmt::format("the profile of '{}' takes a length of {}, the flexure has {}",
+                             section.name, needed, length));
+}
+
+}  // namespace
+
+void check_profiles(const Model& model, Mistakes& mistakes) {
+  for (const NamedSection& section : model.sections)
+    if (const Profile* profile = varying_profile(section.shape))
+      std::visit(ProfileRules{profile_path(section), mistakes}, *profile);
+  for (const Flexure& flexure : model.flexures) check_room(model, flexure, mistakes);
+}
+
+}  // namespace flexura
