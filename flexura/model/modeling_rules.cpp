@@ -18,6 +18,11 @@ bool is_symmetric(const Section& section) {
          std::holds_alternative<FilletProfile>(*profile);
 }
 
+bool varies(const Model& model, const Flexure& flexure) {
+  return flexure.section < model.sections.size() &&
+         varying_profile(model.sections[flexure.section].shape);
+}
+
 bool has_shape(const Model& model, const Flexure& flexure, Shape shape) {
   if (flexure.section < model.sections.size()) {
     const Section& section = model.sections[flexure.section].shape;
@@ -35,7 +40,9 @@ std::string flexures_unlike(const Model& model, Shape shape) {
   int count = 0;
   for (const Flexure& flexure : model.flexures) {
     if (has_shape(model, flexure, shape)) continue;
-    if (++count <= most_named) names += (names.empty() ? "'" : ", '") + flexure.name + "'";
+    if (++count > most_named) continue;
+    names += (names.empty() ? "'" : ", '") + flexure.name + "'";
+    if (varies(model, flexure)) names += " (its section varies)";
   }
   if (count > most_named) names += fmt::format(" and {} more", count - most_named);
   return names;

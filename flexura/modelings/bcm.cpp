@@ -141,7 +141,7 @@ Vec2 BcmPort::element_end(const Eigen::Vector3d& load, double angle, const doubl
 /// element as its slope's square does, scaled to end where the element ends.
 std::vector<SectionState> BcmPort::sections(const Eigen::Vector3d& load,
                                             std::span<const double> internal) const {
-  const StationGrid grid(flexure_.axis);
+  const StationGrid grid(flexure_.axis, flexure_.axis.breaks());
   std::vector<Pose> starts{{{}, 0.0}};
   for (std::size_t k = 0; k < count_; ++k) {
     const Pose& start = starts.back();
