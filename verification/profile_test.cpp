@@ -77,11 +77,11 @@ TEST(CircularNotchBeam, ConvergesToTheClosedForm) {
     const Eigen::Matrix3d c = flexibility(*make_beam_port(flexure, BeamSettings{elements, 3}));
     return std::abs(c(2, 2) / hinge.rotation() - 1.0);
   };
-  const double coarse = error_of(400), fine = error_of(1600);
-  note_measured("400 elements", coarse);
-  note_measured("1600 elements", fine);
+  const double coarse = error_of(100), fine = error_of(400);
+  note_measured("100 elements", coarse);
+  note_measured("400 elements", fine);
   EXPECT_NEAR(std::log(coarse / fine) / std::log(4.0), 1.5, 0.1);
-  EXPECT_LT(fine, 5e-9);
+  EXPECT_LT(fine, 5e-8);  // measured 2.3e-8
 }
 
 /// K = 2 E b t^2.5/(9 pi sqrt R) for small t/R; its error shrinks in proportion to t/R.
@@ -92,7 +92,9 @@ TEST(CircularNotch, TendsToTheSimpleFormula) {
     const double c = compliance_matrix(flexure, {4.0, 0.0})(2, 2);
     const double simple = 9.0 * pi * std::sqrt(2.0) / (2.0 * modulus * width * std::pow(t, 2.5));
     const double error = std::abs(simple / c - 1.0);
-    if (last > 0.0) EXPECT_NEAR(last / error, 2.0, 0.2);
+    if (last > 0.0) {
+      EXPECT_NEAR(last / error, 2.0, 0.2);
+    }
     last = error;
   }
   EXPECT_LT(last, 2e-3);
