@@ -135,6 +135,11 @@ struct ModelingRules {
   void operator()(const BeamSettings& beam) const {
     mistakes.require_between(path / "elements", beam.elements, 1, 100000);
     mistakes.require_between(path / "order", beam.order, 1, 8);
+    const std::string varying = flexures_unlike(model, Shape::any);
+    if (beam.theory != BeamSettings::Theory::exact && !varying.empty())
+      mistakes.add(path, fmt::format("these elements need constant sections, exact ones do not; "
+                                     "this model has {}",
+                                     varying));
     if (beam.theory != BeamSettings::Theory::exact && !axial)
       mistakes.add(path / "axial", "these elements need axial strain; exact ones do without");
   }

@@ -85,7 +85,7 @@ double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gau
   }
   const auto energy_of = [&](const auto& density) {
     return density(Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
-                        Jet::variable(3, kappa), point.stretch);
+                   Jet::variable(3, kappa), point.stretch);
   };
   Jet energy = [&] {
     if constexpr (requires { density_.at(point.s); })  // of a section that varies
