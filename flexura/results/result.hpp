@@ -20,7 +20,8 @@ struct DrawnFlexure {
   bool pinned_action = false;
   std::vector<Vec2> axis;
   double depth = 0.0;
-  std::vector<double> depths;  ///< at the points of `axis` where the section varies, else empty
+  /// Likewise at the points of `axis` where the section varies, else empty.
+  std::vector<double> depths = {};
 };
 
 /// A body as drawn: the flexure ends, points and centre it carries, undeformed.
