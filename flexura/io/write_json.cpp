@@ -4,6 +4,8 @@
 #include <optional>
 #include <variant>
 
+#include "flexura/results/extremes.hpp"
+
 namespace flexura {
 namespace {
 
@@ -66,6 +68,22 @@ void add_reaction_events(Json& json, const PathResult& path, const ModelingPath&
   }
 }
 
+/// Where the section forces and the stress of the last state are largest.
+Json extremes_json(const PathResult& path, const ModelingPath& modeling) {
+  Json json = Json::object();
+  const auto add = [&](const char* name, double MemberStation::*quantity) {
+    const std::optional<Extreme> extreme = find_extreme(modeling, quantity);
+    if (!extreme) return;
+    json[name] = {
+        {"value", extreme->value}, {"flexure", path.flexures[extreme->flexure]}, {"s", extreme->s}};
+  };
+  add("axial_force", &MemberStation::axial_force);
+  add("shear_force", &MemberStation::shear_force);
+  add("bending_moment", &MemberStation::bending_moment);
+  add("stress", &MemberStation::stress);
+  return json;
+}
+
 Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   Json json = {{"modeling", modeling.modeling}};
   add_termination(json, modeling.termination);
@@ -75,6 +93,7 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   json["seconds"] = modeling.seconds;
   json["error_estimate"] = optional_number(modeling.error_estimate);
   json["difference"] = optional_number(modeling.difference);
+  json["extremes"] = extremes_json(path, modeling);
   Json& events = json["events"] = Json::array();
   for (const PathEvent& event : modeling.events) {
     events.push_back({{"kind", event.kind},

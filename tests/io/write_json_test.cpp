@@ -57,6 +57,23 @@ TEST(SummaryJson, KeepsTheOrderOfTheFile) {
   EXPECT_EQ(labels, (std::vector<std::string>{"linear", "scmbm", "prbm", "exact", "continuum"}));
 }
 
+TEST(SummaryJson, SaysWhereTheLastStateIsLoadedMost) {
+  Result result = sample::make_sample_result();
+  auto& path = std::get<PathResult>(result.studies[0].content);
+  path.modelings[0].members = {{{0.0, {}, 1.0, 2.0, -3.0, 4.0}, {5.0, {}, -6.0, 2.5, 1.0, 3.0}},
+                               {{7.0, {}, 0.0, -2.0, 2.0, 9.0}}};
+  path.modelings[1].members.clear();
+  const Json all = Json::parse(make_summary_json(result))["studies"]["push"]["modelings"];
+  const Json& extremes = all[path.modelings[0].label]["extremes"];
+  EXPECT_EQ(extremes["axial_force"],
+            (Json{{"value", -6.0}, {"flexure", path.flexures[0]}, {"s", 5.0}}));
+  EXPECT_EQ(extremes["shear_force"]["value"], 2.5);
+  EXPECT_EQ(extremes["bending_moment"]["value"], -3.0);
+  EXPECT_EQ(extremes["bending_moment"]["s"], 0.0);
+  EXPECT_EQ(extremes["stress"]["flexure"], path.flexures[1]);
+  EXPECT_TRUE(all[path.modelings[1].label]["extremes"].empty());
+}
+
 TEST(SummaryJson, CountsWhatNeverRanAsStopped) {
   Result result = sample::make_sample_result();
   result.studies[0].termination = {};
