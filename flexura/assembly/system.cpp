@@ -203,7 +203,7 @@ double System::distance(const std::vector<double>& a, const std::vector<double>&
 }
 
 Eigen::Vector3d System::reaction(std::size_t body, const std::vector<double>& z) const {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum = spring_reaction(body, z);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const auto& member = layout_.members[k];
     if (member.base != body && member.action != body) continue;

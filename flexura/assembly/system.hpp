@@ -9,6 +9,7 @@
 
 #include "flexura/assembly/port_kinematics.hpp"
 #include "flexura/assembly/two_port.hpp"
+#include "flexura/core/jet2.hpp"
 #include "flexura/core/symmetric_factor.hpp"
 #include "flexura/core/vec2.hpp"
 
@@ -49,9 +50,21 @@ struct SystemLayout {
     double value = 0.0;  ///< at load factor 1
   };
 
+  /// Between points of two bodies, or, torsional, between the bodies' rotations.
+  struct Spring {
+    std::size_t base = 0;
+    std::size_t action = 0;
+    Vec2 base_arm;  ///< from the body's centre, as drawn
+    Vec2 action_arm;
+    double stiffness = 0.0;  ///< force per length, or moment per radian
+    double free = 0.0;       ///< length, or relative rotation, without force
+    bool torsional = false;
+  };
+
   std::vector<Body> bodies;
   std::vector<Member> members;
   std::vector<Load> loads;
+  std::vector<Spring> springs;
   std::vector<Prescribed> prescribed;
   /// Small displacements: kinematics to first order about the drawn state.
   bool linearised = false;
@@ -183,6 +196,9 @@ class System {
   void keep_load(std::size_t member, const Eigen::Matrix3d& flexibility);
   void add_load(const SystemLayout::Load& load, const std::vector<double>& z);
   void add_prescribed(std::size_t i, const std::vector<double>& z);
+  void add_spring(const SystemLayout::Spring& spring, const std::vector<double>& z);
+  Jet2<6> spring_potential(const SystemLayout::Spring& spring, const std::vector<double>& z) const;
+  Eigen::Vector3d spring_reaction(std::size_t body, const std::vector<double>& z) const;
   bool factorize();
   void solve_scaled(Eigen::VectorXd& b) const;
   void expand(const Eigen::VectorXd& reduced, bool with_residual, std::vector<double>& step) const;

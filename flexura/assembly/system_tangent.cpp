@@ -148,6 +148,7 @@ bool System::linearize(const std::vector<double>& z) {
   strain_energy_ = 0.0;
   for (std::size_t k = 0; k < members_.size(); ++k)
     if (!add_member(k, z)) return false;
+  for (const auto& spring : layout_.springs) add_spring(spring, z);
   for (const auto& load : layout_.loads) add_load(load, z);
   for (std::size_t i = 0; i < layout_.prescribed.size(); ++i) add_prescribed(i, z);
   residual_.head(reduced_) -= load_factor_ * load_vector_.head(reduced_);
