@@ -59,9 +59,12 @@ Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides
                     NameIndex::of("body", complete(bodies), model.bodies)};
   const auto flexures = table.require("flexures");
   if (flexures) model.flexures = read_flexures(reading, *flexures, names);
+  const StudyNames study_names{model.bodies, names.bodies,
+                               NameIndex::of("flexure", complete(flexures), model.flexures)};
+  if (const auto springs = table.find("springs")) {
+    model.springs = read_springs(reading, *springs, study_names);
+  }
   if (const auto studies = table.find("studies")) {
-    const StudyNames study_names{model.bodies, names.bodies,
-                                 NameIndex::of("flexure", complete(flexures), model.flexures)};
     model.studies = read_studies(reading, *studies, study_names);
   }
   return model;

@@ -3,25 +3,11 @@
 #include <fmt/format.h>
 
 #include "flexura/core/nearest_word.hpp"
+#include "flexura/io/read_target.hpp"
 #include "flexura/io/table_reader.hpp"
 
 namespace flexura {
 namespace {
-
-/// "body" or "body.point"; of a Load or a Prescribed.
-template <typename Target>
-void read_target(Reading& reading, const Place& place, const StudyNames& names, Target& load) {
-  const auto text = read_text(reading, place);
-  if (!text) return;
-  const auto dot = text->find('.');
-  load.body = names.body_names.resolve(reading, place, text->substr(0, dot));
-  if (dot == std::string::npos || load.body == NameIndex::none) return;
-  const Body& body = names.bodies[load.body];
-  NameIndex points("point", !reading.has_mistake({"bodies", body.name, "points"}),
-                   fmt::format(" of body '{}'", body.name));
-  for (const Point& point : body.points) points.add(point.name);
-  load.point = points.resolve(reading, place, text->substr(dot + 1));
-}
 
 Load read_load(Reading& reading, const Place& place, const StudyNames& names) {
   Load load;

@@ -17,6 +17,8 @@ struct StudyNames {
 
 std::vector<Study> read_studies(Reading& reading, const Place& place, const StudyNames& names);
 
+std::vector<Spring> read_springs(Reading& reading, const Place& place, const StudyNames& names);
+
 /// A study's list of modelings, each a name or a table of settings.
 std::vector<ModelingSettings> read_modelings(Reading& reading, const Place& place);
 

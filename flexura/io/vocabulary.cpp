@@ -6,7 +6,7 @@ namespace flexura::vocabulary {
 
 const Vocabulary& model() {
   static const Vocabulary v{{"flexura", "title", "units", "parameters", "materials", "sections",
-                             "bodies", "flexures", "studies"},
+                             "bodies", "flexures", "springs", "studies"},
                             {"joints", "drivers"}};
   return v;
 }
@@ -74,6 +74,11 @@ const Vocabulary& body() {
 
 const Vocabulary& flexure() {
   static const Vocabulary v{{"between", "pinned", "axis", "material", "section"}, {}};
+  return v;
+}
+
+const Vocabulary& spring() {
+  static const Vocabulary v{{"between", "stiffness", "torsional"}, {"free_length", "free_angle"}};
   return v;
 }
 

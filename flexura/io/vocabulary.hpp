@@ -28,6 +28,7 @@ const Vocabulary& no_keys();
 const Vocabulary& general();
 const Vocabulary& body();
 const Vocabulary& flexure();
+const Vocabulary& spring();
 const Vocabulary& axis();
 const Vocabulary& arc();
 const Vocabulary& linear_study();

@@ -65,6 +65,22 @@ struct Flexure {
   SourcePosition source;
 };
 
+/// A body's point or, without one, its centre.
+struct SpringEnd {
+  std::size_t body = 0;
+  std::optional<std::size_t> point;
+};
+
+/// Between points of two bodies, or, torsional, between their rotations; without force as drawn.
+struct Spring {
+  std::string name;
+  SpringEnd base;
+  SpringEnd action;
+  double stiffness = 0.0;  ///< force per length; torsional: moment per radian
+  bool torsional = false;
+  SourcePosition source;
+};
+
 /// A force and a moment on a body, at one of its points or, without one, at its centre. A
 /// follower load turns with the body.
 struct Load {
@@ -155,6 +171,7 @@ struct Model {
   std::vector<NamedSection> sections;
   std::vector<Body> bodies;
   std::vector<Flexure> flexures;
+  std::vector<Spring> springs;
   std::vector<Study> studies;
 };
 

@@ -82,6 +82,7 @@ void check_names(const Model& model, Mistakes& mistakes) {
     check_all({"bodies", body.name, "points"}, body.points, mistakes, column_word);
   }
   check_all({"flexures"}, model.flexures, mistakes, column_word);
+  check_all({"springs"}, model.springs, mistakes, any_word);
   check_all({"studies"}, model.studies, mistakes, file_word);
   check_mid_columns(model, mistakes);
 }

@@ -40,6 +40,9 @@ void check_entities(const Model& model, Mistakes& mistakes);
 /// Profiles of sections, alone and on the flexures that have them.
 void check_profiles(const Model& model, Mistakes& mistakes);
 
+/// Stiffness and ends of springs.
+void check_springs(const Model& model, Mistakes& mistakes);
+
 /// Something moves, and everything that moves is held.
 void check_connections(const Model& model, Mistakes& mistakes);
 

@@ -65,6 +65,7 @@ std::vector<Mistake> find_mistakes(const Model& model, const ValidationScope& sc
   Mistakes mistakes;
   check_names(model, mistakes);
   check_entities(model, mistakes);
+  check_springs(model, mistakes);
   check_studies(model, mistakes);
   if (scope.connections) check_connections(model, mistakes);
   if (scope.connections) check_forests(model, mistakes);
@@ -82,6 +83,7 @@ class Sources {
     add("sections", model.sections);
     add("bodies", model.bodies);
     add("flexures", model.flexures);
+    add("springs", model.springs);
     add("studies", model.studies);
   }
 

@@ -79,6 +79,18 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
     member.port = std::move(placed.port);
     layout.members.push_back(std::move(member));
   }
+  for (const Spring& spring : model.springs) {
+    const auto arm = [&](const SpringEnd& end) {
+      if (!end.point) return Vec2{};
+      return model.bodies[end.body].points[*end.point].position - layout.bodies[end.body].centre;
+    };
+    const Vec2 a = arm(spring.base);
+    const Vec2 b = arm(spring.action);
+    const Vec2 apart =
+        layout.bodies[spring.action.body].centre + b - layout.bodies[spring.base.body].centre - a;
+    layout.springs.push_back({spring.base.body, spring.action.body, a, b, spring.stiffness,
+                              spring.torsional ? 0.0 : norm(apart), spring.torsional});
+  }
   for (const Load& load : loads) {
     const Vec2 centre = layout.bodies[load.body].centre;
     const Vec2 at = load.point ? model.bodies[load.body].points[*load.point].position : centre;

@@ -41,6 +41,7 @@ TEST(Schema, NamesTheReadersKeys) {
       {"general", vocabulary::general()},
       {"body", vocabulary::body()},
       {"flexure", vocabulary::flexure()},
+      {"spring", vocabulary::spring()},
       {"axis", vocabulary::axis()},
       {"arc", vocabulary::arc()},
       {"linear_study", vocabulary::linear_study()},

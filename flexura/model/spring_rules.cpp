@@ -1,0 +1,28 @@
+#include "flexura/model/rules.hpp"
+
+namespace flexura {
+
+void check_springs(const Model& model, Mistakes& mistakes) {
+  const auto place = [&](const SpringEnd& end) {
+    return end.point ? model.bodies[end.body].points[*end.point].position
+                     : body_centre(model, end.body);
+  };
+  const auto valid = [&](const SpringEnd& end) {
+    return end.body < model.bodies.size() &&
+           (!end.point || *end.point < model.bodies[end.body].points.size());
+  };
+  for (const Spring& spring : model.springs) {
+    const KeyPath path{"springs", spring.name};
+    mistakes.require_positive(path / (spring.torsional ? "torsional" : "stiffness"),
+                              spring.stiffness);
+    if (!valid(spring.base) || !valid(spring.action)) continue;
+    if (spring.base.body == spring.action.body) {
+      mistakes.add(path / "between", "joins a body to itself");
+    } else if (!spring.torsional && norm(place(spring.action) - place(spring.base)) == 0.0) {
+      mistakes.add(path / "between",
+                   "both ends lie at the same point: a spring as drawn has no direction");
+    }
+  }
+}
+
+}  // namespace flexura
