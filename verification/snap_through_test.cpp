@@ -35,14 +35,7 @@ std::vector<TracedEvent> events_of(const TracedPath& path, const std::string& ki
 /// digits in the reference), and where its loaded point is there (about 12). The load factor is
 /// stationary, so loads come out to twice the digits of places.
 TEST(LeeFrameByArcLength, PassesBothLimitPoints) {
-  GeneralSection section;
-  section.area = 6.0;
-  section.second_moment = 2.0;
-  Mechanism frame;
-  frame.material(720.0, 0.3).section(section).fixed("ground").body("corner").body("loaded");
-  frame.flexure("ground", "corner", LineAxis{{0.0, 0.0}, {0.0, 120.0}}).pin_base();
-  frame.flexure("corner", "loaded", LineAxis{{0.0, 120.0}, {24.0, 120.0}});
-  frame.flexure("loaded", "ground", LineAxis{{24.0, 120.0}, {120.0, 120.0}}).pin_action();
+  const Mechanism frame = lee_frame();
   for (const std::string theory : {"i", "ii", "iii"}) {
     const auto truth = read_reference_json("C_lee_frame_limits.json")[theory]["extrema"];
     const TracedPath path =
@@ -107,6 +100,16 @@ TEST(EulerColumn, SidesDiffer) {
     return pose_in(path, path.states.size() - 1, 1).position.y;
   };
   EXPECT_LT(tip_of(1) * tip_of(-1), 0.0);
+}
+
+/// A column pushed aside has no bifurcation to leave its path at, and that is said.
+TEST(EulerColumn, WithAnImperfectionHasNoBranch) {
+  const Mechanism column = cantilever({1.0, 1.0, 1.0});
+  const TracedPath path = follow(column, {column.load("tip", {-3.0, 1e-3})},
+                                 in_theory(exact(1e-9), "i"), {}, BranchSwitch{1, 1});
+  EXPECT_EQ(path.termination.status, Status::stopped);
+  EXPECT_NE(path.termination.reason.find("0 bifurcations"), std::string::npos);
+  EXPECT_EQ(path.states.back().load_factor, 1.0);
 }
 
 /// DaDeppo and Schmidt's deep arch (R = 100, 215 degrees, one end clamped, the other hinged, EI =

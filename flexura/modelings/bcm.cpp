@@ -151,9 +151,9 @@ std::vector<SectionState> BcmPort::sections(const Eigen::Vector3d& load,
   }
   const Vec2 f{load[0], load[1]};
   std::vector<SectionState> states;
-  for (std::size_t k = 0; k < grid.s.size(); ++k) {
-    const std::size_t e = std::min(static_cast<std::size_t>(grid.s[k] / length_), count_ - 1);
-    const double x = grid.s[k] / length_ - static_cast<double>(e);
+  for (const double s : grid.s) {
+    const std::size_t e = std::min(static_cast<std::size_t>(s / length_), count_ - 1);
+    const double x = s / length_ - static_cast<double>(e);
     const double d = internal[2 * e];
     const double t = internal[2 * e + 1];
     // w = (3d - t) x^2 + (t - 2d) x^3 = a x^2 + b x^3, in element lengths

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "flexura/core/symmetric_factor.hpp"
+
 namespace flexura {
 
 double halving_error_ratio(const BeamMesh& mesh) {
@@ -19,6 +21,28 @@ void prolong_nodes(const BeamMesh& mesh, const BeamMesh& finer, std::size_t comp
     for (std::size_t a = 1; a <= finer.order; ++a, ++k)
       mesh.interpolate(h * (static_cast<double>(e) + finer.node_place(a)), nodal,
                        fine.subspan(k * components, components));
+}
+
+void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3d& load,
+                             const double* y, double* scratch, TipResponse& response) {
+  double* columns = scratch;
+  double* band = scratch + 4 * e.unknowns;
+  const double lever[3] = {e.length, e.length, 1.0};  // of the tip's unknowns on its pose
+  for (std::size_t c = 0; c < 3; ++c) {
+    columns[4 * (e.tip + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
+    columns[4 * (e.tip + c) + c + 1] = -lever[c];
+  }
+  const std::size_t size = e.unknowns * (e.width + 1);
+  response.singular = !solve_symmetric(band, band_layout(e.unknowns, e.width), band + size,
+                                       band + 2 * size, columns, response.negative);
+  response.tip << e.chord.x, e.chord.y, 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto row = static_cast<Eigen::Index>(c);
+    response.tip[row] += lever[c] * (y[e.tip + c] - columns[4 * (e.tip + c)]);
+    for (std::size_t k = 0; k < 3; ++k)
+      response.flexibility(row, static_cast<Eigen::Index>(k)) =
+          -lever[c] * columns[4 * (e.tip + c) + k + 1];
+  }
 }
 
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,

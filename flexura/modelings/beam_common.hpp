@@ -18,6 +18,20 @@ double halving_error_ratio(const BeamMesh& mesh);
 void prolong_nodes(const BeamMesh& mesh, const BeamMesh& finer, std::size_t components,
                    std::span<const double> coarse, std::span<double> fine);
 
+/// Displacement elements in a row, assembled.
+struct DisplacementElements {
+  std::size_t unknowns = 0;
+  std::size_t width = 0;  ///< half bandwidth
+  std::size_t tip = 0;    ///< place of the tip's displacement x, y (over `length`) and rotation
+  double length = 0.0;
+  Vec2 chord;  ///< from base to tip, as drawn
+};
+
+/// The rest of TwoPort::linearize once the scratch holds the energy's gradient (every fourth double
+/// of the first 4 m) and, behind, its Hessian as a band: puts the load on the tip and eliminates.
+void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3d& load,
+                             const double* y, double* scratch, TipResponse& response);
+
 /// The section at a station from its pose, with the forces that hold it in equilibrium with the
 /// tip.
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,

@@ -273,22 +273,7 @@ TipResponse HermiteBeamPort::linearize(const Eigen::Vector3d& load, const double
   const bool expand = settings_.theory == BeamSettings::Theory::linear;
   for (std::size_t e = 0; e < elements(); ++e)
     add_element(e, y, expand, columns, band, response.strain_energy);
-  const double lever[3] = {length_, length_, 1.0};  // of the tip's unknowns on its pose
-  for (std::size_t c = 0; c < 3; ++c) {
-    columns[4 * (last + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
-    columns[4 * (last + c) + c + 1] = -lever[c];
-  }
-  const std::size_t size = m * (width() + 1);
-  response.singular = !solve_symmetric(band, band_layout(m, width()), band + size, band + 2 * size,
-                                       columns, response.negative);
-  response.tip << chord_.x, chord_.y, 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto row = static_cast<Eigen::Index>(c);
-    response.tip[row] += lever[c] * (y[last + c] - columns[4 * (last + c)]);
-    for (std::size_t k = 0; k < 3; ++k)
-      response.flexibility(row, static_cast<Eigen::Index>(k)) =
-          -lever[c] * columns[4 * (last + c) + k + 1];
-  }
+  eliminate_displacements({m, width(), last, length_, chord_}, load, y, scratch, response);
   return response;
 }
 

@@ -125,8 +125,6 @@ template <class Density>
 TipResponse LagrangeBeamPort<Density>::linearize(const Eigen::Vector3d& load, const double* y,
                                                  double* scratch) const {
   const std::size_t m = internal_size();
-  const std::size_t last = m - 3;
-  const double length = mesh_.length;
   double* columns = scratch;
   double* band = scratch + 4 * m;
   std::fill_n(scratch, scratch_size(), 0.0);
@@ -135,22 +133,7 @@ TipResponse LagrangeBeamPort<Density>::linearize(const Eigen::Vector3d& load, co
   for (std::size_t e = 0; e < mesh_.elements; ++e)
     for (std::size_t g = 0; g < mesh_.order; ++g)
       response.strain_energy += add_point(e, g, y, columns, band);
-  const double lever[3] = {length, length, 1.0};  // of the tip's unknowns on its pose
-  for (std::size_t c = 0; c < 3; ++c) {
-    columns[4 * (last + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
-    columns[4 * (last + c) + c + 1] = -lever[c];
-  }
-  const std::size_t size = m * (width() + 1);
-  response.singular = !solve_symmetric(band, band_layout(m, width()), band + size, band + 2 * size,
-                                       columns, response.negative);
-  response.tip << chord_.x, chord_.y, 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto row = static_cast<Eigen::Index>(c);
-    response.tip[row] += lever[c] * (y[last + c] - columns[4 * (last + c)]);
-    for (std::size_t k = 0; k < 3; ++k)
-      response.flexibility(row, static_cast<Eigen::Index>(k)) =
-          -lever[c] * columns[4 * (last + c) + k + 1];
-  }
+  eliminate_displacements({m, width(), m - 3, mesh_.length, chord_}, load, y, scratch, response);
   return response;
 }
 

@@ -68,7 +68,7 @@ class Continuation {
 
  private:
   bool goes_on(const ArcState& next) const;
-  void locate_features(const ArcState& next, double size, int after);
+  bool locate_features(const ArcState& next, double size, int after);
   bool locate_change(double size, ArcState& at);
   bool locate_zero(double size, ArcState& at);
 
@@ -117,7 +117,11 @@ bool Continuation<Problem>::advance() {
       continue;
     }
     const int after = problem_->unstable_directions();
-    locate_features(next, size_, after);
+    features_.clear();
+    if (!locate_features(next, size_, after)) {
+      size_ *= 0.5;
+      continue;
+    }
     before_ = std::move(here_);
     here_ = std::move(next);
     unstable_ = after;
@@ -127,13 +131,16 @@ bool Continuation<Problem>::advance() {
   return false;
 }
 
+/// False where the states on both sides of a change of stability do not meet: then the step has
+/// left the path for another one that passes close by.
 template <BranchingProblem Problem>
-void Continuation<Problem>::locate_features(const ArcState& next, double size, int after) {
+bool Continuation<Problem>::locate_features(const ArcState& next, double size, int after) {
   ArcState at = next;
   if (here_.tangent_load * next.tangent_load < 0.0) {
     if (arc_.locate(here_, size, at))
       features_.push_back({PathFeature::limit_point, at, unstable_, after});
-  } else if (after != unstable_ && locate_change(size, at)) {
+  } else if (after != unstable_) {
+    if (!locate_change(size, at)) return false;
     features_.push_back({PathFeature::bifurcation, at, unstable_, after});
   }
   if (here_.load_factor * next.load_factor < 0.0) {
@@ -143,6 +150,7 @@ void Continuation<Problem>::locate_features(const ArcState& next, double size, i
       features_.push_back({PathFeature::zero_load, at, unstable, unstable});
     }
   }
+  return true;
 }
 
 /// Bisection on the arc length for the end of the stretch with as many unstable directions as at
@@ -150,16 +158,20 @@ void Continuation<Problem>::locate_features(const ArcState& next, double size, i
 template <BranchingProblem Problem>
 bool Continuation<Problem>::locate_change(double size, ArcState& at) {
   double low = 0.0, high = size;
-  bool found = false;
+  ArcState at_low = here_, at_high = at;
   while (high - low > 1e-11 * size) {
     const double middle = 0.5 * (low + high);
     ArcState trial;
     if (!arc_.step(here_, middle, trial)) break;
-    (problem_->unstable_directions() == unstable_ ? low : high) = middle;
+    const bool before = problem_->unstable_directions() == unstable_;
+    (before ? low : high) = middle;
+    (before ? at_low : at_high) = trial;
     at = std::move(trial);
-    found = true;
   }
-  return found && high - low < 1e-4 * size;
+  std::vector<double> gap = at_high.z;
+  add_scaled(gap, -1.0, at_low.z);
+  const double apart = std::sqrt(problem_->inner(gap, gap));
+  return high - low < 1e-4 * size && apart < 1e-3 * size;
 }
 
 /// The load factor's zero by regula falsi on the arc length, then by Newton at no load.

@@ -104,6 +104,11 @@ TracedPath ArcTracer::run(const Model& model, const std::function<bool(double)>&
       break;
     }
   }
+  if (path_.termination.converged() && study_.branch && bifurcations_ < study_.branch->at)
+    path_.termination = {Status::stopped,
+                         fmt::format("the path passes {} bifurcations up to its end, not {}: there "
+                                     "is no branch to change to",
+                                     bifurcations_, study_.branch->at)};
   path_.iterations += path.iterations();
   return std::move(path_);
 }

@@ -150,4 +150,16 @@ Mechanism parallelogram() {
   return stage;
 }
 
+Mechanism lee_frame() {
+  GeneralSection section;
+  section.area = 6.0;
+  section.second_moment = 2.0;
+  Mechanism frame;
+  frame.material(720.0, 0.3).section(section).fixed("ground").body("corner").body("loaded");
+  frame.flexure("ground", "corner", LineAxis{{0.0, 0.0}, {0.0, 120.0}}).pin_base();
+  frame.flexure("corner", "loaded", LineAxis{{0.0, 120.0}, {24.0, 120.0}});
+  frame.flexure("loaded", "ground", LineAxis{{24.0, 120.0}, {120.0, 120.0}}).pin_action();
+  return frame;
+}
+
 }  // namespace flexura::testing

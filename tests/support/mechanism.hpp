@@ -61,4 +61,8 @@ Mechanism portal_frame();
 /// steel.
 Mechanism parallelogram();
 
+/// Lee's frame (E = 720, A = 6, I = 2, nu = 0.3, two members of 120, both supports pinned), bodies
+/// "corner" and "loaded", at a fifth of the beam.
+Mechanism lee_frame();
+
 }  // namespace flexura::testing
