@@ -252,13 +252,16 @@ void HermiteBeamPort::add_element(std::size_t element, const double* y, bool exp
     }
   }
   energy_sum += e.value;
-  const auto stride = static_cast<int>(width()) + 1;
+  const std::size_t stride = width() + 1;
   for (std::size_t i = 0; i < element_unknowns; ++i) {
     if (at[i] < 0) continue;
-    residual[4 * at[i]] += e.gradient[i];
-    for (std::size_t j = 0; j < element_unknowns; ++j)
-      if (at[j] >= 0 && at[j] <= at[i])
-        band[at[i] * stride + stride - 1 - (at[i] - at[j])] += e.hessian[i][j];
+    const auto row = static_cast<std::size_t>(at[i]);
+    residual[4 * row] += e.gradient[i];
+    for (std::size_t j = 0; j < element_unknowns; ++j) {
+      if (at[j] < 0 || at[j] > at[i]) continue;
+      const auto column = static_cast<std::size_t>(at[j]);
+      band[row * stride + width() + column - row] += e.hessian[i][j];
+    }
   }
 }
 

@@ -226,8 +226,8 @@ bool Continuation<Problem>::switch_branch(const ArcState& bifurcation, int side)
   if (!(length > 1e-6)) return false;
   for (double& t : from.tangent_z) t *= side / length;
   from.tangent_load = 0.0;
-  for (double size = 0.2 * options_.largest_step; size > 1e-4 * options_.largest_step;
-       size *= 0.5) {
+  double size = 0.2 * options_.largest_step;
+  for (int tries = 0; tries < 11; ++tries, size *= 0.5) {
     ArcState next;
     if (!arc_.step(from, size, next)) continue;
     features_.clear();
