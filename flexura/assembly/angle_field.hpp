@@ -57,25 +57,28 @@ Jet2<N> add_lanes(const Jet2<N, Pack2>& pair) {
   return sum;
 }
 
-/// TwoPort::linearize of an angle field. `potential(theta, fx, fy)` is phi on Jet2<3, Pack2>:
-/// points are evaluated in pairs.
+/// What all points of an angle field add up to, besides what depends on the internal unknowns.
+struct AngleFieldSums {
+  Jet2<3> potential;  ///< of it, only value and derivatives by the force are meant
+  double bending = 0.0;
+  double tip_rotation = 0.0;
+};
+
+/// Residual and tangent: per unknown W_y, W_yfx, W_yfy, W_ymu in `columns`, W_yy in the lower
+/// triangle of `tangent` (m x m, row-major). `potential(point, theta, fx, fy)` is phi on
+/// Jet2<3, Pack2>: points are evaluated in pairs.
 template <class Potential>
-TipResponse linearize_angle_field(const AngleField& field, const Potential& potential,
-                                  const Eigen::Vector3d& load, const double* y, double* scratch) {
+AngleFieldSums assemble_angle_field(const AngleField& field, const Potential& potential,
+                                    const Eigen::Vector3d& load, const double* y,
+                                    double* __restrict columns, double* __restrict tangent) {
   using Jet = Jet2<3, Pack2>;
   const std::size_t m = field.unknowns;
-  // per unknown: W_y, W_yfx, W_yfy, W_ymu; then the same times the inverse of W_yy
-  double* __restrict columns = scratch;
-  double* coupling = scratch + 4 * m;
-  double* __restrict tangent = scratch + 8 * m;  // W_yy
-  double* factor = scratch + (8 + m) * m;
-  double* column = scratch + (8 + 2 * m) * m;
   std::fill(columns, columns + 4 * m, 0.0);
   std::copy(field.stiffness.begin(), field.stiffness.end(), tangent);
 
   const Jet fx = Jet::variable(1, Pack2{load[0], load[0]});
   const Jet fy = Jet::variable(2, Pack2{load[1], load[1]});
-  Jet pairs;  // of it, only value and derivatives by the force are meant to be added up
+  Jet pairs;
   for (std::size_t g = 0; g < field.weights.size(); g += 2) {
     const double* __restrict turn0 = field.turns.data() + g * m;
     const double* __restrict turn1 = turn0 + m;
@@ -100,35 +103,60 @@ TipResponse linearize_angle_field(const AngleField& field, const Potential& pote
     }
     pairs += phi;
   }
-  const Jet2<3> sum = add_lanes(pairs);
-  double bending = 0.0;
-  double tip_rotation = 0.0;
+  AngleFieldSums sums{add_lanes(pairs)};
   for (std::size_t i = 0; i < m; ++i) {
     double stiff = 0.0;
     for (std::size_t k = 0; k < m; ++k) stiff += field.stiffness[i * m + k] * y[k];
-    bending += 0.5 * stiff * y[i];
-    tip_rotation += field.tip_turn[i] * y[i];
+    sums.bending += 0.5 * stiff * y[i];
+    sums.tip_rotation += field.tip_turn[i] * y[i];
     columns[4 * i] += stiff - load[2] * field.tip_turn[i];
     columns[4 * i + 3] = -field.tip_turn[i];
   }
+  return sums;
+}
+
+/// TwoPort::linearize of an angle field.
+template <class Potential>
+TipResponse linearize_angle_field(const AngleField& field, const Potential& potential,
+                                  const Eigen::Vector3d& load, const double* y, double* scratch) {
+  const std::size_t m = field.unknowns;
+  double* columns = scratch;  // W_y.., then the same times the inverse of W_yy
+  double* coupling = scratch + 4 * m;
+  double* tangent = scratch + 8 * m;
+  double* factor = scratch + (8 + m) * m;
+  double* column = scratch + (8 + 2 * m) * m;
+  const AngleFieldSums sums = assemble_angle_field(field, potential, load, y, columns, tangent);
   std::copy(columns, columns + 4 * m, coupling);
 
+  const Jet2<3>& sum = sums.potential;
   TipResponse response;
   response.singular =
       !solve_symmetric(tangent, dense_layout(m), factor, column, columns, response.negative);
   response.strain_energy =
-      bending + sum.value - load[0] * sum.gradient[1] - load[1] * sum.gradient[2];
-  response.tip = {field.offset.x - sum.gradient[1], field.offset.y - sum.gradient[2], tip_rotation};
+      sums.bending + sum.value - load[0] * sum.gradient[1] - load[1] * sum.gradient[2];
+  response.tip = {field.offset.x - sum.gradient[1], field.offset.y - sum.gradient[2],
+                  sums.tip_rotation};
   response.flexibility << -sum.second(1, 1), -sum.second(1, 2), 0.0,  //
       -sum.second(2, 1), -sum.second(2, 2), 0.0,                      //
       0.0, 0.0, 0.0;
-  for (std::size_t i = 0; i < m; ++i) {
-    const Eigen::Map<const Eigen::Vector3d> w(coupling + 4 * i + 1);
-    const Eigen::Map<const Eigen::Vector3d> z(columns + 4 * i + 1);
-    response.tip += columns[4 * i] * w;
-    response.flexibility += w * z.transpose();
-  }
+  add_eliminated(m, coupling, columns, response);
   return response;
+}
+
+/// TwoPort::hessian of an angle field.
+template <class Potential>
+Eigen::MatrixXd angle_field_hessian(const AngleField& field, const Potential& potential,
+                                    const Eigen::Vector3d& load, const double* y) {
+  const std::size_t m = field.unknowns;
+  std::vector<double> columns(4 * m), tangent(m * m);
+  const AngleFieldSums sums =
+      assemble_angle_field(field, potential, load, y, columns.data(), tangent.data());
+  Eigen::Matrix3d by_load = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      by_load(i, j) =
+          sums.potential.second(static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(j) + 1);
+  return port_hessian(columns.data(), dense_layout(m), tangent.data(), by_load);
 }
 
 }  // namespace flexura

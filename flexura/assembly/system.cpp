@@ -76,6 +76,7 @@ void System::set_scale() {
     members_[k].moment_scale = root;
   }
   const double turn = 1.0 / std::sqrt(std::exp(energy));
+  turn_scale_ = turn;
   scale_.setConstant(turn);
   step_weight_.setOnes(static_cast<Eigen::Index>(moving_));
   for (const BodyIndex& body : bodies_) {

@@ -112,6 +112,15 @@ class System {
   /// The direction of least resistance at the last linearization: at a critical state, its null
   /// vector. Unit length by `inner`.
   void critical_direction(std::vector<double>& direction) const;
+  /// As many, across one another: where several give way at once.
+  std::vector<std::vector<double>> critical_directions(int count) const;
+
+  /// Second derivatives of the potential by all unknowns at z, none eliminated. Precondition: no
+  /// follower loads.
+  Eigen::MatrixXd hessian(const std::vector<double>& z);
+  /// Changes of the unknowns that are alike in size: rotations and internal unknowns by one,
+  /// displacements by a mean flexure length, loads by those that bend a flexure by a radian.
+  Eigen::VectorXd unknown_scale() const;
 
   /// Scalar product of changes of z: displacements in mean flexure lengths, rotations in radians.
   double inner(const std::vector<double>& a, const std::vector<double>& b) const;
@@ -158,6 +167,8 @@ class System {
   /// Force x, y and moment about its centre that a body needs to stay at its pose.
   Eigen::Vector3d reaction(std::size_t body, const std::vector<double>& z) const;
   double mean_length() const { return length_; }
+  /// Place in z of the first internal unknown of a flexure.
+  std::size_t first_internal() const { return primary_ + 3 * members_.size(); }
   /// The linearised system moves points by u + rotation x arm.
   bool linearised() const { return layout_.linearised; }
 
@@ -215,6 +226,7 @@ class System {
   bool follower_ = false;
 
   double length_ = 1.0;          // mean length of the flexures
+  double turn_scale_ = 1.0;      // of rotations in it
   Eigen::VectorXd scale_;        // symmetric scaling of the reduced unknowns
   Eigen::VectorXd step_weight_;  // of bodies' unknowns in the size of a Newton step
   std::vector<MemberTangent> tangents_;

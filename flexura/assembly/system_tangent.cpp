@@ -222,24 +222,6 @@ void System::load_direction(std::vector<double>& direction) const {
   expand(work_, false, direction);
 }
 
-/// Inverse iteration, in the scaled unknowns.
-void System::critical_direction(std::vector<double>& direction) const {
-  const auto s = scale_.head(reduced_).array();
-  work_ = Eigen::VectorXd::LinSpaced(reduced_, 1.0, 1.7);
-  for (Eigen::Index i = 1; i < reduced_; i += 2) work_[i] *= -0.6;
-  for (int k = 0; k < 4; ++k) {
-    work_.array() /= s;  // as a load
-    solve_scaled(work_);
-    work_.array() /= s;
-    work_ /= work_.norm();
-  }
-  work_.array() *= s;
-  expand(work_, false, direction);
-  const double size = std::sqrt(inner(direction, direction));
-  if (size > 0.0)
-    for (double& d : direction) d /= size;
-}
-
 int System::unstable_directions() const {
   const int closures =
       3 * static_cast<int>(members_.size()) + static_cast<int>(layout_.prescribed.size());

@@ -15,4 +15,33 @@ void TwoPort::prolong(std::span<const double> internal, std::span<double> refine
   std::copy(internal.begin(), internal.end(), refined.begin());
 }
 
+void add_eliminated(std::size_t m, const double* coupling, const double* solved,
+                    TipResponse& response) {
+  for (std::size_t i = 0; i < m; ++i) {
+    const Eigen::Map<const Eigen::Vector3d> w(coupling + 4 * i + 1);
+    const Eigen::Map<const Eigen::Vector3d> z(solved + 4 * i + 1);
+    response.tip += solved[4 * i] * w;
+    response.flexibility += w * z.transpose();
+  }
+}
+
+Eigen::MatrixXd port_hessian(const double* columns, const BandLayout& layout, const double* tangent,
+                             const Eigen::Matrix3d& by_load) {
+  const std::size_t m = layout.n;
+  const auto n = static_cast<Eigen::Index>(m);
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n + 3, n + 3);
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double* entries = layout.row(tangent, i);
+    for (std::size_t j = i > layout.width ? i - layout.width : 0; j <= i; ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      hessian(row, column) = hessian(column, row) = entries[j];
+    }
+    for (Eigen::Index c = 0; c < 3; ++c)
+      hessian(row, n + c) = hessian(n + c, row) = columns[4 * i + static_cast<std::size_t>(c) + 1];
+  }
+  hessian.bottomRightCorner<3, 3>() = by_load;
+  return hessian;
+}
+
 }  // namespace flexura

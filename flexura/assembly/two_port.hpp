@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "flexura/core/ldlt.hpp"
 #include "flexura/core/vec2.hpp"
 
 namespace flexura {
@@ -51,6 +52,9 @@ class TwoPort {
   virtual TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                                 double* scratch) const = 0;
 
+  /// Second derivatives of W by (internal, load), m + 3 of each, where nothing is eliminated.
+  virtual Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const = 0;
+
   /// Stations for results: evenly spaced in arc length from 0 to the length, both included, odd in
   /// number.
   virtual std::vector<SectionState> sections(const Eigen::Vector3d& load,
@@ -68,6 +72,16 @@ class TwoPort {
   /// convergence is geometric, 1/(1 - 2^-order) for a halved mesh.
   virtual double error_ratio() const { return 1.0; }
 };
+
+/// What the eliminated unknowns add to tip and flexibility: `coupling` holds W_y and W_y,load of
+/// each of the m unknowns, `solved` the same times the inverse of W_yy.
+void add_eliminated(std::size_t m, const double* coupling, const double* solved,
+                    TipResponse& response);
+
+/// TwoPort::hessian from W_y and W_y,load of each unknown, the lower triangle of W_yy and
+/// W_load,load.
+Eigen::MatrixXd port_hessian(const double* columns, const BandLayout& layout, const double* tangent,
+                             const Eigen::Matrix3d& by_load);
 
 /// Number of stations of every `sections`.
 inline constexpr int station_count = 41;

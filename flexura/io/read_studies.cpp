@@ -138,6 +138,16 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
   return study;
 }
 
+BucklingStudy read_buckling(Reading& reading, const Place& place, const StudyNames& names) {
+  TableReader table(reading, place, vocabulary::buckling_study());
+  BucklingStudy study;
+  if (const auto loads = table.require("loads")) study.loads = read_loads(reading, *loads, names);
+  study.linearised = table.boolean("linearised", false);
+  study.count = table.integer("count", study.count);
+  read_modelings_of(reading, table, study);
+  return study;
+}
+
 InverseStudy read_inverse(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::inverse_study());
   InverseStudy study;
@@ -162,13 +172,14 @@ std::vector<Study> read_studies(Reading& reading, const Place& place, const Stud
       report_unexpected(reading, entry.place, "a table");
     } else if (!kind_entry) {
       reading.report_key(entry.place.path, "kind", entry.place.node->position,
-                         "missing key 'kind': linear, path or inverse");
+                         "missing key 'kind': linear, path, buckling or inverse");
     } else {
       // Which other keys may be there depends on the kind: without it they are left alone.
       const auto kind = read_word(reading, {&kind_entry->node, entry.place.path / "kind"},
                                   "study kind", vocabulary::study_kinds());
       if (kind == "linear") study.kind = read_linear(reading, entry.place, names);
       if (kind == "path") study.kind = read_path(reading, entry.place, names);
+      if (kind == "buckling") study.kind = read_buckling(reading, entry.place, names);
       if (kind == "inverse") study.kind = read_inverse(reading, entry.place, names);
     }
     studies.push_back(std::move(study));

@@ -104,6 +104,11 @@ const Vocabulary& path_study() {
   return v;
 }
 
+const Vocabulary& buckling_study() {
+  static const Vocabulary v{{"kind", "loads", "linearised", "count", "modelings", "reference"}, {}};
+  return v;
+}
+
 const Vocabulary& inverse_study() {
   static const Vocabulary v{{"kind", "relative", "steps", "modelings", "reference"}, {}};
   return v;
@@ -162,8 +167,8 @@ const Vocabulary& prbm_parameters() {
 }
 
 const Vocabulary& study_kinds() {
-  static const Vocabulary v{{"linear", "path", "inverse"},
-                            {"modes", "buckling", "transient", "linkage"}};
+  static const Vocabulary v{{"linear", "path", "buckling", "inverse"},
+                            {"modes", "transient", "linkage"}};
   return v;
 }
 

@@ -68,7 +68,8 @@ class CsvWriter {
 };
 
 /// The points of every body, in the order of the columns; at last those that no body claims.
-std::vector<std::vector<std::size_t>> points_by_body(const PathResult& path) {
+template <class Names>
+std::vector<std::vector<std::size_t>> points_by_body(const Names& path) {
   std::vector<std::vector<std::size_t>> points(path.bodies.size() + 1);
   for (std::size_t p = 0; p < path.points.size(); ++p) {
     points[owner_of_point(path, p).value_or(path.bodies.size())].push_back(p);
@@ -76,8 +77,9 @@ std::vector<std::vector<std::size_t>> points_by_body(const PathResult& path) {
   return points;
 }
 
-std::vector<std::string> path_columns(const PathResult& path) {
-  std::vector<std::string> columns{"step", "load_factor"};
+/// Columns of the places of all bodies, points and flexures behind `columns`.
+template <class Names>
+std::vector<std::string> place_columns(const Names& path, std::vector<std::string> columns) {
   const auto add = [&](const std::string& name, std::initializer_list<const char*> suffixes) {
     for (const char* suffix : suffixes) columns.push_back(name + suffix);
   };
@@ -89,10 +91,29 @@ std::vector<std::string> path_columns(const PathResult& path) {
   for (const std::string& flexure : path.flexures) {
     add(flexure, {".mid.x", ".mid.y", ".mid.rotation"});
   }
+  return columns;
+}
+
+std::vector<std::string> path_columns(const PathResult& path) {
+  std::vector<std::string> columns = place_columns(path, {"step", "load_factor"});
   for (const HeldPlace& held : path.held) {
-    add(held.name, {".reaction.x", ".reaction.y", ".reaction.moment"});
+    for (const char* suffix : {".reaction.x", ".reaction.y", ".reaction.moment"}) {
+      columns.push_back(held.name + suffix);
+    }
   }
   return columns;
+}
+
+/// The places of a PathState or the displacements of a ModeShape.
+template <class State>
+void add_places(CsvWriter& csv, const std::vector<std::vector<std::size_t>>& points,
+                const State& state) {
+  for (std::size_t b = 0; b < points.size(); ++b) {
+    if (b + 1 < points.size())
+      csv.vector(state.bodies[b].position).number(state.bodies[b].rotation);
+    for (const std::size_t p : points[b]) csv.vector(state.points[p]);
+  }
+  for (const Pose& mid : state.mids) csv.vector(mid.position).number(mid.rotation);
 }
 
 }  // namespace
@@ -103,13 +124,7 @@ CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling) {
   int step = 0;
   for (const PathState& state : modeling.states) {
     csv.word(std::to_string(step++)).number(state.load_factor);
-    for (std::size_t b = 0; b < points.size(); ++b) {
-      if (b < path.bodies.size()) {
-        csv.vector(state.bodies[b].position).number(state.bodies[b].rotation);
-      }
-      for (const std::size_t p : points[b]) csv.vector(state.points[p]);
-    }
-    for (const Pose& mid : state.mids) csv.vector(mid.position).number(mid.rotation);
+    add_places(csv, points, state);
     // The undeformed state may come without: nothing holds it.
     for (std::size_t h = 0; h < path.held.size(); ++h) {
       const Reaction r = state.reactions.empty() ? Reaction{} : state.reactions[h];
@@ -130,6 +145,25 @@ CsvText make_members_csv(const PathResult& path, const ModelingPath& modeling) {
       csv.number(m.bending_moment).number(m.stress);
       csv.end_row();
     }
+  }
+  return std::move(csv).result();
+}
+
+CsvText make_buckling_csv(const ModelingModes& modes) {
+  CsvWriter csv({"mode", "load_factor"});
+  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
+    csv.word(std::to_string(k + 1)).number(modes.modes[k].value).end_row();
+  }
+  return std::move(csv).result();
+}
+
+CsvText make_shapes_csv(const ModeResult& names, const ModelingModes& modes) {
+  const auto points = points_by_body(names);
+  CsvWriter csv(place_columns(names, {"mode"}));
+  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
+    csv.word(std::to_string(k + 1));
+    add_places(csv, points, modes.modes[k].shape);
+    csv.end_row();
   }
   return std::move(csv).result();
 }

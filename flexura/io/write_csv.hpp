@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "flexura/results/mode_result.hpp"
 #include "flexura/results/path_result.hpp"
 
 namespace flexura {
@@ -19,5 +20,12 @@ CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling);
 
 /// flexure, s, x, y, rotation, axial_force, shear_force, bending_moment, stress of the last state.
 CsvText make_members_csv(const PathResult& path, const ModelingPath& modeling);
+
+/// mode, load_factor.
+CsvText make_buckling_csv(const ModelingModes& modes);
+
+/// mode, then the displacements as the places of make_path_csv: of every moving body x, y, rotation
+/// and x, y of its points; of every flexure mid.x, mid.y, mid.rotation.
+CsvText make_shapes_csv(const ModeResult& names, const ModelingModes& modes);
 
 }  // namespace flexura

@@ -104,6 +104,18 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   return json;
 }
 
+Json modes_json(const ModelingModes& modeling) {
+  Json json = {{"modeling", modeling.modeling}};
+  add_termination(json, modeling.termination);
+  json["unknowns"] = modeling.unknowns;
+  json["seconds"] = modeling.seconds;
+  json["error_estimate"] = optional_number(modeling.error_estimate);
+  json["difference"] = optional_number(modeling.difference);
+  json["load_factors"] = Json::array();
+  for (const Mode& mode : modeling.modes) json["load_factors"].push_back(mode.value);
+  return json;
+}
+
 Json study_json(const StudyResult& study) {
   Json json = {{"kind", study.kind}};
   add_termination(json, study.termination);
@@ -114,6 +126,14 @@ Json study_json(const StudyResult& study) {
     }
     for (const ModelingPath& modeling : path->modelings) {
       json["modelings"][modeling.label] = modeling_json(*path, modeling);
+    }
+  }
+  if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
+    if (modes->reference < modes->modelings.size()) {
+      json["reference"] = modes->modelings[modes->reference].label;
+    }
+    for (const ModelingModes& modeling : modes->modelings) {
+      json["modelings"][modeling.label] = modes_json(modeling);
     }
   }
   return json;

@@ -64,6 +64,14 @@ void FileList::add_study(const Result& result, const StudyResult& study) {
     add(folder / "ellipse.json", make_ellipse_json(result, study, *linear));
     return;
   }
+  if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
+    for (const ModelingModes& modeling : modes->modelings) {
+      if (!check_name("label", modeling.label)) continue;
+      add(folder / (modeling.label + ".buckling.csv"), make_buckling_csv(modeling));
+      add(folder / (modeling.label + ".shapes.csv"), make_shapes_csv(*modes, modeling));
+    }
+    return;
+  }
   const auto& path = std::get<PathResult>(study.content);
   for (const ModelingPath& modeling : path.modelings) {
     if (!check_name("label", modeling.label)) continue;

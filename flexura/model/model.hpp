@@ -114,6 +114,7 @@ struct PathEnd {
   double load_factor = 1.0;         ///< first reached from the side the path comes from
   std::optional<int> limit_points;  ///< so many passed
   std::optional<int> steps;         ///< so many taken
+  std::optional<int> critical;      ///< so many directions lost or gained at critical states
 };
 
 /// At which bifurcation a path followed by arc length leaves its primary branch, counted from 1,
@@ -135,6 +136,16 @@ struct PathStudy {
   int steps = 20;
   std::vector<ModelingSettings> modelings;
   std::size_t reference = 0;  ///< index into modelings: what the others are compared with
+};
+
+/// Study `buckling`: the first `count` load factors at which the tangent turns singular along the
+/// loaded path or, linearised, along its continuation in a straight line from the start.
+struct BucklingStudy {
+  std::vector<Load> loads;
+  bool linearised = false;
+  int count = 1;
+  std::vector<ModelingSettings> modelings;
+  std::size_t reference = 0;
 };
 
 /// The displacement of a flexure's action body relative to its base body, in axes fixed to the
@@ -159,7 +170,7 @@ struct InverseStudy {
 
 struct Study {
   std::string name;
-  std::variant<LinearStudy, PathStudy, InverseStudy> kind;
+  std::variant<LinearStudy, PathStudy, BucklingStudy, InverseStudy> kind;
   SourcePosition source;
 };
 

@@ -6,6 +6,7 @@ namespace flexura {
 namespace {
 
 constexpr int most_steps = 100000;
+constexpr int most_modes = 1000;
 
 void check_load(const Model& model, const Load& load, const KeyPath& path, Mistakes& mistakes) {
   if (load.body >= model.bodies.size()) {
@@ -103,8 +104,26 @@ struct StudyRules {
       if (study.branch->side != 1 && study.branch->side != -1)
         mistakes.add(path / "branch" / "side", "a bifurcation has two sides: 1 and -1");
     }
-    for (std::size_t m = 0; m < study.modelings.size(); ++m) {
-      const auto* prbm = std::get_if<PrbmSettings>(&study.modelings[m].kind);
+    check_load_ratios(study.modelings);
+  }
+
+  void operator()(const BucklingStudy& study) const {
+    if (study.loads.empty()) mistakes.add(path / "loads", "buckling needs a load");
+    check_loads(study.loads);
+    for (std::size_t i = 0; i < study.loads.size(); ++i)
+      if (study.loads[i].follower)
+        mistakes.add(path / "loads" / i / "follower",
+                     "follower loads have no potential: their critical loads are not those of "
+                     "this study. A path with control = \"arc_length\" follows them");
+    mistakes.require_between(path / "count", study.count, 1, most_modes);
+    check_load_ratios(study.modelings);
+    check_modelings(model, study.modelings, study.reference, path, mistakes);
+  }
+
+  /// Howell's load ratios are found by iteration under load control.
+  void check_load_ratios(const std::vector<ModelingSettings>& modelings) const {
+    for (std::size_t m = 0; m < modelings.size(); ++m) {
+      const auto* prbm = std::get_if<PrbmSettings>(&modelings[m].kind);
       const auto* howell = prbm ? std::get_if<PrbmHowell>(&prbm->parameters) : nullptr;
       if (howell && !howell->load_ratio)
         mistakes.add(path / "modelings" / m,

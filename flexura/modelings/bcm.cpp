@@ -35,6 +35,7 @@ class BcmPort final : public TwoPort {
   }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
+  Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
   /// One element is a model of its own, not a discretization.
@@ -48,6 +49,13 @@ class BcmPort final : public TwoPort {
  private:
   using Jet = Jet2<5>;  // frame's angle, delta, theta, fx, fy
 
+  struct Sums {
+    Jet potential;
+    double turn = 0.0;
+  };
+
+  Sums assemble(const Eigen::Vector3d& load, const double* y, double* columns,
+                double* tangent) const;
   Jet element_potential(double angle, const double* y, const Eigen::Vector3d& load) const;
   void add_element(std::size_t element, const Jet& w, double* columns, double* tangent) const;
   Vec2 element_end(const Eigen::Vector3d& load, double angle, const double* y) const;
@@ -95,6 +103,20 @@ void BcmPort::add_element(std::size_t element, const Jet& w, double* columns,
   }
 }
 
+auto BcmPort::assemble(const Eigen::Vector3d& load, const double* y, double* columns,
+                       double* tangent) const -> Sums {
+  Sums sums;
+  for (std::size_t k = 0; k < count_; ++k) {
+    const Jet w = element_potential(angle_ + sums.turn, y + 2 * k, load);
+    add_element(k, w, columns, tangent);
+    sums.potential += w;
+    sums.turn += y[2 * k + 1];
+    columns[4 * (2 * k + 1)] -= load[2];
+    columns[4 * (2 * k + 1) + 3] = -1.0;
+  }
+  return sums;
+}
+
 TipResponse BcmPort::linearize(const Eigen::Vector3d& load, const double* y,
                                double* scratch) const {
   const std::size_t m = internal_size();
@@ -102,33 +124,30 @@ TipResponse BcmPort::linearize(const Eigen::Vector3d& load, const double* y,
   double* coupling = scratch + 4 * m;
   double* tangent = scratch + 8 * m;
   std::fill_n(scratch, scratch_size(), 0.0);
-  Jet sum;
-  double turn = 0.0;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const Jet w = element_potential(angle_ + turn, y + 2 * k, load);
-    add_element(k, w, columns, tangent);
-    sum += w;
-    turn += y[2 * k + 1];
-    columns[4 * (2 * k + 1)] -= load[2];
-    columns[4 * (2 * k + 1) + 3] = -1.0;
-  }
+  const Sums sums = assemble(load, y, columns, tangent);
   std::copy_n(columns, 4 * m, coupling);
 
+  const Jet& sum = sums.potential;
   TipResponse response;
   response.singular = !solve_symmetric(tangent, dense_layout(m), tangent + m * m,
                                        tangent + 2 * m * m, columns, response.negative);
-  response.tip = {offset_.x - sum.gradient[3], offset_.y - sum.gradient[4], turn};
+  response.tip = {offset_.x - sum.gradient[3], offset_.y - sum.gradient[4], sums.turn};
   response.strain_energy = sum.value - load[0] * sum.gradient[3] - load[1] * sum.gradient[4];
   response.flexibility << -sum.second(3, 3), -sum.second(3, 4), 0.0,  //
       -sum.second(4, 3), -sum.second(4, 4), 0.0,                      //
       0.0, 0.0, 0.0;
-  for (std::size_t i = 0; i < m; ++i) {
-    const Eigen::Map<const Eigen::Vector3d> w(coupling + 4 * i + 1);
-    const Eigen::Map<const Eigen::Vector3d> z(columns + 4 * i + 1);
-    response.tip += columns[4 * i] * w;
-    response.flexibility += w * z.transpose();
-  }
+  add_eliminated(m, coupling, columns, response);
   return response;
+}
+
+Eigen::MatrixXd BcmPort::hessian(const Eigen::Vector3d& load, const double* y) const {
+  const std::size_t m = internal_size();
+  std::vector<double> columns(4 * m), tangent(m * m);
+  const Jet sum = assemble(load, y, columns.data(), tangent.data()).potential;
+  Eigen::Matrix3d by_load = Eigen::Matrix3d::Zero();
+  by_load.topLeftCorner<2, 2>() << sum.second(3, 3), sum.second(3, 4), sum.second(4, 3),
+      sum.second(4, 4);
+  return port_hessian(columns.data(), dense_layout(m), tangent.data(), by_load);
 }
 
 /// From the element's start, in axes fixed to the flexure's base body.

@@ -23,15 +23,30 @@ void prolong_nodes(const BeamMesh& mesh, const BeamMesh& finer, std::size_t comp
                        fine.subspan(k * components, components));
 }
 
-void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3d& load,
-                             const double* y, double* scratch, TipResponse& response) {
-  double* columns = scratch;
-  double* band = scratch + 4 * e.unknowns;
+namespace {
+
+void add_tip_load(const DisplacementElements& e, const Eigen::Vector3d& load, double* columns) {
   const double lever[3] = {e.length, e.length, 1.0};  // of the tip's unknowns on its pose
   for (std::size_t c = 0; c < 3; ++c) {
     columns[4 * (e.tip + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
     columns[4 * (e.tip + c) + c + 1] = -lever[c];
   }
+}
+
+}  // namespace
+
+Eigen::MatrixXd displacement_hessian(const DisplacementElements& e, double* scratch) {
+  add_tip_load(e, Eigen::Vector3d::Zero(), scratch);
+  return port_hessian(scratch, band_layout(e.unknowns, e.width), scratch + 4 * e.unknowns,
+                      Eigen::Matrix3d::Zero());
+}
+
+void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3d& load,
+                             const double* y, double* scratch, TipResponse& response) {
+  double* columns = scratch;
+  double* band = scratch + 4 * e.unknowns;
+  const double lever[3] = {e.length, e.length, 1.0};
+  add_tip_load(e, load, columns);
   const std::size_t size = e.unknowns * (e.width + 1);
   response.singular = !solve_symmetric(band, band_layout(e.unknowns, e.width), band + size,
                                        band + 2 * size, columns, response.negative);

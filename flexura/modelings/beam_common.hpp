@@ -32,6 +32,9 @@ struct DisplacementElements {
 void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3d& load,
                              const double* y, double* scratch, TipResponse& response);
 
+/// TwoPort::hessian of the same.
+Eigen::MatrixXd displacement_hessian(const DisplacementElements& e, double* scratch);
+
 /// The section at a station from its pose, with the forces that hold it in equilibrium with the
 /// tip.
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,

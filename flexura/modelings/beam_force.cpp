@@ -12,15 +12,8 @@ namespace {
 /// nodal equilibrium makes the force constant along the flexure, so nodal rotations are all that is
 /// left inside.
 class ForceBeamPort final : public TwoPort {
- public:
-  ForceBeamPort(const FlexureProperties& flexure, BeamSettings settings);
-
-  std::size_t internal_size() const override { return field_.unknowns; }
-  std::size_t scratch_size() const override { return field_.scratch_size(); }
-  TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
-                        double* scratch) const override {
-    const auto potential = [this](std::size_t g, const auto& theta, const auto& fx,
-                                  const auto& fy) {
+  auto potential() const {
+    return [this](std::size_t g, const auto& theta, const auto& fx, const auto& fy) {
       // an interpolated axis is a little shorter than the true one: less for the force to displace
       const Pack2 shorter{mesh_stretch(g) - 1.0, mesh_stretch(g + 1) - 1.0};
       auto along = fx * cos(theta) + fy * sin(theta);
@@ -29,7 +22,19 @@ class ForceBeamPort final : public TwoPort {
                                               compliances_.shear(g)) -
              along;
     };
-    return linearize_angle_field(field_, potential, load, internal, scratch);
+  }
+
+ public:
+  ForceBeamPort(const FlexureProperties& flexure, BeamSettings settings);
+
+  std::size_t internal_size() const override { return field_.unknowns; }
+  std::size_t scratch_size() const override { return field_.scratch_size(); }
+  TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
+                        double* scratch) const override {
+    return linearize_angle_field(field_, potential(), load, internal, scratch);
+  }
+  Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override {
+    return angle_field_hessian(field_, potential(), load, internal);
   }
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;

@@ -34,6 +34,7 @@ class HermiteBeamPort final : public TwoPort {
   }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
+  Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
   std::shared_ptr<const TwoPort> refined() const override {
@@ -72,6 +73,10 @@ class HermiteBeamPort final : public TwoPort {
   Energy energy(std::size_t element, const double* y) const;
   void add_element(std::size_t element, const double* y, bool expand, double* residual,
                    double* band, double& energy) const;
+  double assemble(const double* y, double* scratch) const;
+  DisplacementElements assembled() const {
+    return {internal_size(), width(), internal_size() - 4, length_, chord_};
+  }
   /// Where the point `drawn` of the true axis has gone that lies at x in [0, 1] of an element: the
   /// element carries along what its own axis lacks to it.
   Pose axis_pose(std::size_t element, double x, Vec2 drawn, const double* y) const;
@@ -265,19 +270,28 @@ void HermiteBeamPort::add_element(std::size_t element, const double* y, bool exp
   }
 }
 
+/// Gradient and Hessian of the strain energy into the scratch; the energy.
+double HermiteBeamPort::assemble(const double* y, double* scratch) const {
+  std::fill_n(scratch, scratch_size(), 0.0);
+  const bool expand = settings_.theory == BeamSettings::Theory::linear;
+  double energy = 0.0;
+  for (std::size_t e = 0; e < elements(); ++e)
+    add_element(e, y, expand, scratch, scratch + 4 * internal_size(), energy);
+  return energy;
+}
+
 TipResponse HermiteBeamPort::linearize(const Eigen::Vector3d& load, const double* y,
                                        double* scratch) const {
-  const std::size_t m = internal_size();
-  const std::size_t last = m - 4;
-  double* columns = scratch;
-  double* band = scratch + 4 * m;
-  std::fill_n(scratch, scratch_size(), 0.0);
   TipResponse response;
-  const bool expand = settings_.theory == BeamSettings::Theory::linear;
-  for (std::size_t e = 0; e < elements(); ++e)
-    add_element(e, y, expand, columns, band, response.strain_energy);
-  eliminate_displacements({m, width(), last, length_, chord_}, load, y, scratch, response);
+  response.strain_energy = assemble(y, scratch);
+  eliminate_displacements(assembled(), load, y, scratch, response);
   return response;
+}
+
+Eigen::MatrixXd HermiteBeamPort::hessian(const Eigen::Vector3d& /*load*/, const double* y) const {
+  std::vector<double> scratch(scratch_size());
+  assemble(y, scratch.data());
+  return displacement_hessian(assembled(), scratch.data());
 }
 
 Pose HermiteBeamPort::section_pose(std::size_t index, double x, const double* y) const {

@@ -33,6 +33,10 @@ class CompliantPort final : public TwoPort {
   std::size_t scratch_size() const override { return 0; }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
+  Eigen::MatrixXd hessian(const Eigen::Vector3d& /*load*/,
+                          const double* /*internal*/) const override {
+    return -compliance_;
+  }
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
 

@@ -28,12 +28,15 @@ class ExactPort final : public TwoPort {
   std::size_t scratch_size() const override { return field_.scratch_size(); }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
+  Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
   std::shared_ptr<const TwoPort> refined() const override;
   void prolong(std::span<const double> internal, std::span<double> refined) const override;
 
  private:
+  template <class Call>
+  auto with_potential(const Call& call) const;
   std::size_t piece_at(double s) const;
   std::vector<double> turns_at_nodes(const StationGrid& grid,
                                      std::span<const double> internal) const;
@@ -59,20 +62,31 @@ ExactPort::ExactPort(const FlexureProperties& flexure, ExactPieces pieces)
   compliances_ = std::move(varying.compliances);
 }
 
-TipResponse ExactPort::linearize(const Eigen::Vector3d& load, const double* internal,
-                                 double* scratch) const {
-  if (flexure_.varying) {
-    const auto by_point = [this](std::size_t g, const auto& theta, const auto& fx, const auto& fy) {
+/// Calls with the mixed potential of the points.
+template <class Call>
+auto ExactPort::with_potential(const Call& call) const {
+  if (flexure_.varying)
+    return call([this](std::size_t g, const auto& theta, const auto& fx, const auto& fy) {
       return reissner_mixed_potential_by_lane(theta, fx, fy, compliances_.axial(g),
                                               compliances_.shear(g));
-    };
-    return linearize_angle_field(field_, by_point, load, internal, scratch);
-  }
-  const auto potential = [this](std::size_t, const auto& theta, const auto& fx, const auto& fy) {
+    });
+  return call([this](std::size_t, const auto& theta, const auto& fx, const auto& fy) {
     return reissner_mixed_potential(theta, fx, fy, flexure_.axial_compliance,
                                     flexure_.shear_compliance);
-  };
-  return linearize_angle_field(field_, potential, load, internal, scratch);
+  });
+}
+
+TipResponse ExactPort::linearize(const Eigen::Vector3d& load, const double* internal,
+                                 double* scratch) const {
+  return with_potential([&](const auto& potential) {
+    return linearize_angle_field(field_, potential, load, internal, scratch);
+  });
+}
+
+Eigen::MatrixXd ExactPort::hessian(const Eigen::Vector3d& load, const double* internal) const {
+  return with_potential([&](const auto& potential) {
+    return angle_field_hessian(field_, potential, load, internal);
+  });
 }
 
 std::size_t ExactPort::piece_at(double s) const {

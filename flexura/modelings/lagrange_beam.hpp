@@ -40,6 +40,7 @@ class LagrangeBeamPort final : public TwoPort {
   }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
+  Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
   std::shared_ptr<const TwoPort> refined() const override {
@@ -53,6 +54,10 @@ class LagrangeBeamPort final : public TwoPort {
   std::size_t width() const { return 3 * (mesh_.order + 1) - 1; }
   double add_point(std::size_t element, std::size_t gauss, const double* y, double* residual,
                    double* band) const;
+  double assemble(const double* y, double* scratch) const;
+  DisplacementElements elements() const {
+    return {internal_size(), width(), internal_size() - 3, mesh_.length, chord_};
+  }
 
   FlexureProperties flexure_;
   Density density_;
@@ -121,20 +126,32 @@ double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gau
   return energy.value;
 }
 
+/// Gradient and Hessian of the strain energy into the scratch; the energy.
+template <class Density>
+double LagrangeBeamPort<Density>::assemble(const double* y, double* scratch) const {
+  std::fill_n(scratch, scratch_size(), 0.0);
+  double energy = 0.0;
+  for (std::size_t e = 0; e < mesh_.elements; ++e)
+    for (std::size_t g = 0; g < mesh_.order; ++g)
+      energy += add_point(e, g, y, scratch, scratch + 4 * internal_size());
+  return energy;
+}
+
 template <class Density>
 TipResponse LagrangeBeamPort<Density>::linearize(const Eigen::Vector3d& load, const double* y,
                                                  double* scratch) const {
-  const std::size_t m = internal_size();
-  double* columns = scratch;
-  double* band = scratch + 4 * m;
-  std::fill_n(scratch, scratch_size(), 0.0);
-
   TipResponse response;
-  for (std::size_t e = 0; e < mesh_.elements; ++e)
-    for (std::size_t g = 0; g < mesh_.order; ++g)
-      response.strain_energy += add_point(e, g, y, columns, band);
-  eliminate_displacements({m, width(), m - 3, mesh_.length, chord_}, load, y, scratch, response);
+  response.strain_energy = assemble(y, scratch);
+  eliminate_displacements(elements(), load, y, scratch, response);
   return response;
+}
+
+template <class Density>
+Eigen::MatrixXd LagrangeBeamPort<Density>::hessian(const Eigen::Vector3d& /*load*/,
+                                                   const double* y) const {
+  std::vector<double> scratch(scratch_size());
+  assemble(y, scratch.data());
+  return displacement_hessian(elements(), scratch.data());
 }
 
 template <class Density>

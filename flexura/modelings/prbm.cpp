@@ -11,6 +11,11 @@ namespace {
 
 /// The chain as an angle field: its segments are the points, their lengths the weights, the angle
 /// of a segment its drawn one plus all joint rotations before it.
+constexpr auto rigid_potential = [](std::size_t, const auto& theta, const auto& fx,
+                                    const auto& fy) {
+  return reissner_mixed_potential(theta, fx, fy, 0.0, 0.0);
+};
+
 class PseudoRigidPort final : public TwoPort {
  public:
   PseudoRigidPort(const FlexureProperties& flexure, const PseudoRigidChain& chain);
@@ -19,6 +24,7 @@ class PseudoRigidPort final : public TwoPort {
   std::size_t scratch_size() const override { return field_.scratch_size(); }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
+  Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
   std::vector<Vec2> drawn_axis(std::span<const SectionState> sections,
@@ -64,10 +70,12 @@ PseudoRigidPort::PseudoRigidPort(const FlexureProperties& flexure, const PseudoR
 
 TipResponse PseudoRigidPort::linearize(const Eigen::Vector3d& load, const double* internal,
                                        double* scratch) const {
-  const auto rigid = [](std::size_t, const auto& theta, const auto& fx, const auto& fy) {
-    return reissner_mixed_potential(theta, fx, fy, 0.0, 0.0);
-  };
-  return linearize_angle_field(field_, rigid, load, internal, scratch);
+  return linearize_angle_field(field_, rigid_potential, load, internal, scratch);
+}
+
+Eigen::MatrixXd PseudoRigidPort::hessian(const Eigen::Vector3d& load,
+                                         const double* internal) const {
+  return angle_field_hessian(field_, rigid_potential, load, internal);
 }
 
 std::vector<Vec2> PseudoRigidPort::drawn_axis(std::span<const SectionState> /*sections*/,

@@ -63,6 +63,7 @@ class DrawnCoordinates {
 };
 
 Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates);
+Json make_mode_json(const ModeResult& modes, const DrawnCoordinates& coordinates);
 Json make_linear_json(const LinearResult& linear);
 
 }  // namespace flexura::report_data

@@ -53,6 +53,8 @@ Json study_json(const StudyResult& study, const DrawnCoordinates& coordinates) {
                {"loads", loads_json(study.loads)}};
   if (const auto* path = std::get_if<PathResult>(&study.content)) {
     json["path"] = make_path_json(*path, coordinates);
+  } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
+    json["modes"] = make_mode_json(*modes, coordinates);
   } else {
     json["linear"] = make_linear_json(std::get<LinearResult>(study.content));
   }

@@ -116,6 +116,33 @@ std::string path_table(const StudyResult& study, const PathResult& path, bool co
   return text;
 }
 
+/// One line per modeling: its first load factors and how sure they are.
+std::string mode_table(const StudyResult& study, const ModeResult& modes, bool colour) {
+  constexpr std::size_t shown = 4;
+  std::string text = paint(study.name, Ink::bold, colour) + "  " + study.kind + '\n';
+  std::size_t width = 0;
+  for (const ModelingModes& m : modes.modelings) width = std::max(width, display_width(m.label));
+  for (std::size_t i = 0; i < modes.modelings.size(); ++i) {
+    const ModelingModes& m = modes.modelings[i];
+    text += "  " + m.label + std::string(width - display_width(m.label), ' ') + "  ";
+    text += m.termination.converged() ? paint("converged", Ink::good, colour)
+                                      : paint("stopped  ", Ink::bad, colour);
+    text += "  load factor";
+    for (std::size_t k = 0; k < std::min(shown, m.modes.size()); ++k)
+      text += fmt::format(" {:.6g}", m.modes[k].value);
+    if (m.modes.size() > shown) text += " ..";
+    if (m.modes.empty()) text += " none";
+    if (m.error_estimate) text += "  error est. " + percent(m.error_estimate);
+    if (i == modes.reference) text += "  reference";
+    if (m.difference) text += "  difference " + percent(m.difference);
+    text += "  " + duration(m.seconds) + '\n';
+    for (const std::string& line : wrap_text(m.termination.reason, line_width - 6))
+      text +=
+          "      " + paint(line, m.termination.converged() ? Ink::faint : Ink::bad, colour) + '\n';
+  }
+  return text;
+}
+
 std::string linear_line(const StudyResult& study, const LinearResult& linear, bool colour) {
   std::string text =
       fmt::format("{}  linear, {} compliance matrices: {}/ellipse.json\n",
@@ -137,6 +164,8 @@ std::string make_comparison_table(const Result& result, bool colour) {
     if (!text.empty()) text += '\n';
     if (const auto* path = std::get_if<PathResult>(&study.content)) {
       text += path_table(study, *path, colour);
+    } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
+      text += mode_table(study, *modes, colour);
     } else {
       text += linear_line(study, std::get<LinearResult>(study.content), colour);
     }

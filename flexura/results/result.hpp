@@ -7,6 +7,7 @@
 #include "flexura/core/termination.hpp"
 #include "flexura/core/vec2.hpp"
 #include "flexura/results/ellipse.hpp"
+#include "flexura/results/mode_result.hpp"
 #include "flexura/results/path_result.hpp"
 
 namespace flexura {
@@ -50,10 +51,10 @@ struct DrawnLoad {
 
 struct StudyResult {
   std::string name;
-  std::string kind;  ///< "linear", "path", "inverse"
+  std::string kind;  ///< "linear", "path", "buckling", "inverse"
   Termination termination;
   std::vector<DrawnLoad> loads;
-  std::variant<LinearResult, PathResult> content;
+  std::variant<LinearResult, PathResult, ModeResult> content;
 };
 
 /// Everything a run found out, in the file's declared units, rotations in radians.

@@ -117,6 +117,11 @@ bool Continuation<Problem>::advance() {
       continue;
     }
     const int after = problem_->unstable_directions();
+    // so that each change of stability is found by itself, unless they coincide
+    if (std::abs(after - unstable_) > 1 && size_ > 1e-3 * options_.largest_step) {
+      size_ *= 0.5;
+      continue;
+    }
     features_.clear();
     if (!locate_features(next, size_, after)) {
       size_ *= 0.5;

@@ -17,7 +17,8 @@ constexpr int steps_per_step = 100;  // taken at most, as a multiple of the stud
 
 class ArcTracer {
  public:
-  ArcTracer(const Model& model, const PathStudy& study, const ModelingSettings& settings)
+  ArcTracer(const Model& model, const PathStudy& study, const ModelingSettings& settings,
+            int refinements)
       : study_(study),
         settings_(settings),
         points_(tracked_points(model)),
@@ -26,6 +27,10 @@ class ArcTracer {
     add_prescribed(layout, model, study.prescribe);
     path_.systems.push_back(std::make_unique<System>(std::move(layout)));
     finer_ = path_.systems.back()->refined();
+    for (; refinements > 0 && finer_; --refinements) {
+      path_.systems.back() = std::move(finer_);
+      finer_ = path_.systems.back()->refined();
+    }
   }
 
   TracedPath run(const Model& model, const std::function<bool(double)>& keep_going);
@@ -51,6 +56,7 @@ class ArcTracer {
   double largest_displacement_ = 0.0;
   double largest_reaction_ = 0.0;
   int limit_points_ = 0;
+  int critical_ = 0;
   int bifurcations_ = 0;
   int refinements_left_ = 6;
   TracedPath path_;
@@ -116,6 +122,7 @@ TracedPath ArcTracer::run(const Model& model, const std::function<bool(double)>&
 bool ArcTracer::is_done(const Path& path) {
   const PathEnd& until = study_.until;
   return path.state().load_factor == until.load_factor ||
+         (until.critical && critical_ >= *until.critical) ||
          (until.limit_points && limit_points_ >= *until.limit_points) ||
          (until.steps && path_.steps >= *until.steps);
 }
@@ -131,10 +138,13 @@ void ArcTracer::note_features(Path& path) {
       continue;
     }
     const bool limit = found.feature == PathFeature::limit_point;
+    const int directions = std::max(1, std::abs(found.unstable_after - found.unstable_before));
     add(limit ? "limit point" : "bifurcation", found.unstable_before);
+    path_.events.back().directions = directions;
     if (found.unstable_before == 0 && found.unstable_after > 0) add("stability lost", 1);
     if (found.unstable_before > 0 && found.unstable_after == 0) add("stability gained", 0);
     ++(limit ? limit_points_ : bifurcations_);
+    critical_ += directions;
     if (!limit && study_.branch && bifurcations_ == study_.branch->at) leave_ = found.state;
   }
 }
@@ -217,8 +227,8 @@ void ArcTracer::stop(const Path& path) {
 
 TracedPath trace_by_arc_length(const Model& model, const PathStudy& study,
                                const ModelingSettings& settings,
-                               const std::function<bool(double)>& keep_going) {
-  return ArcTracer(model, study, settings).run(model, keep_going);
+                               const std::function<bool(double)>& keep_going, int refinements) {
+  return ArcTracer(model, study, settings, refinements).run(model, keep_going);
 }
 
 }  // namespace flexura

@@ -29,6 +29,7 @@ struct TracedEvent {
   std::size_t system = 0;
   std::vector<double> z;
   int unstable_directions = 0;
+  int directions = 1;  ///< so many change their stability there
 };
 
 /// A modeling's path as its unknowns, before anything is drawn or tabulated.

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "flexura/studies/buckling_study.hpp"
 #include "flexura/studies/drawing.hpp"
 #include "flexura/studies/inverse_study.hpp"
 #include "flexura/studies/linear_study.hpp"
@@ -96,6 +97,16 @@ class Run {
     path.by_arc_length = study.arc_length;
     result.content = std::move(path);
   }
+  void prepare(const BucklingStudy& study, StudyResult& result) {
+    result.kind = "buckling";
+    result.loads = make_drawn_loads(model_, study.loads);
+    PathResult names = make_path_names(model_);
+    ModeResult modes;
+    modes.bodies = std::move(names.bodies);
+    modes.points = std::move(names.points);
+    modes.flexures = std::move(names.flexures);
+    result.content = std::move(modes);
+  }
   void prepare(const InverseStudy&, StudyResult& result) {
     result.kind = "inverse";
     PathResult path = make_path_names(model_);
@@ -111,28 +122,34 @@ class Run {
     });
   }
   void add_tasks(const PathStudy& study, StudyResult& result) {
-    add_modelings(study.modelings, study.reference, result,
+    add_modelings(study.modelings, study.reference, result, std::get<PathResult>(result.content),
                   [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
                     return run_path(model_, study, settings, keep_going);
                   });
   }
+  void add_tasks(const BucklingStudy& study, StudyResult& result) {
+    add_modelings(study.modelings, study.reference, result, std::get<ModeResult>(result.content),
+                  [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
+                    return run_buckling(model_, study, settings, keep_going);
+                  });
+  }
   void add_tasks(const InverseStudy& study, StudyResult& result) {
-    add_modelings(study.modelings, study.reference, result,
+    add_modelings(study.modelings, study.reference, result, std::get<PathResult>(result.content),
                   [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
                     return run_inverse(model_, study, settings, keep_going);
                   });
   }
 
-  template <class RunOne>
+  /// `content` is the result's.
+  template <class Content, class RunOne>
   void add_modelings(const std::vector<ModelingSettings>& all, std::size_t reference,
-                     StudyResult& result, RunOne run_one) {
+                     StudyResult& result, Content& content, RunOne run_one) {
     WantedModelings wanted = wanted_modelings(all, reference, options_);
-    auto& path = std::get<PathResult>(result.content);
-    path.modelings.resize(wanted.settings.size());
-    path.reference = wanted.reference;
+    content.modelings.resize(wanted.settings.size());
+    content.reference = wanted.reference;
     for (std::size_t m = 0; m < wanted.settings.size(); ++m)
-      tasks_.push_back([this, &result, &path, m, run_one, settings = wanted.settings[m]] {
-        path.modelings[m] = run_one(settings, [&](double fraction) {
+      tasks_.push_back([this, &result, &content, m, run_one, settings = wanted.settings[m]] {
+        content.modelings[m] = run_one(settings, [&](double fraction) {
           return progress_.report(result.name, settings.label, fraction);
         });
       });
@@ -146,9 +163,10 @@ class Run {
 };
 
 /// A study stopped where one of its modelings did; each of them says why.
-Termination summarize(const PathResult& path) {
+template <class Content>
+Termination summarize(const Content& content) {
   Termination summary{Status::converged, {}};
-  for (const ModelingPath& modeling : path.modelings) {
+  for (const auto& modeling : content.modelings) {
     if (modeling.termination.converged()) continue;
     summary.status = Status::stopped;
     summary.reason += (summary.reason.empty() ? "" : ", ") + modeling.label;
@@ -169,6 +187,10 @@ std::vector<StudyResult> Run::finish() {
       if (!path->modelings.empty())
         result->kind == "inverse" ? compare_reactions(*path) : compare_with_reference(*path);
       result->termination = summarize(*path);
+    }
+    if (auto* modes = std::get_if<ModeResult>(&result->content)) {
+      if (!modes->modelings.empty()) compare_modes(*modes);
+      result->termination = summarize(*modes);
     }
     results.push_back(std::move(*result));
   }

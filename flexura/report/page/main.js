@@ -29,6 +29,7 @@
     const header = d3.select(main).append('div').attr('class', 'study-header');
     const kinds = {
       path: 'Path of equilibria as the loads grow',
+      buckling: 'Load factors at which the mechanism gives way',
       inverse: 'Loads that hold prescribed displacements',
       linear: 'Compliance about the drawn state',
     };
@@ -50,7 +51,8 @@
       .attr('tabindex', (s) => (s === study ? 0 : -1));
     main.setAttribute('aria-label', `Study ${study.name}`);
     headline(study);
-    (study.path ? PathStudy : LinearStudy).make(main, study);
+    const page = [[study.path, PathStudy], [study.modes, ModeStudy], [study.linear, LinearStudy]];
+    page.find(([content]) => content)[1].make(main, study);
   }
 
   const address = (study) => `#${encodeURIComponent(study.name)}`;
