@@ -63,8 +63,7 @@ TipResponse ExactPort::linearize(const Eigen::Vector3d& load, const double* inte
                                  double* scratch) const {
   if (flexure_.varying) {
     const auto by_point = [this](std::size_t g, const auto& theta, const auto& fx, const auto& fy) {
-      return reissner_mixed_potential_by_lane(theta, fx, fy, compliances_.axial(g),
-                                              compliances_.shear(g));
+      return reissner_mixed_potential(theta, fx, fy, compliances_.axial(g), compliances_.shear(g));
     };
     return linearize_angle_field(field_, by_point, load, internal, scratch);
   }
