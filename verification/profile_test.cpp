@@ -1,6 +1,7 @@
 // Sections that vary along a flexure against closed forms.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -82,6 +83,81 @@ TEST(CircularNotchBeam, ConvergesToTheClosedForm) {
   note_measured("400 elements", fine);
   EXPECT_NEAR(std::log(coarse / fine) / std::log(4.0), 1.5, 0.1);
   EXPECT_LT(fine, 5e-8);  // measured 2.3e-8
+}
+
+/// By the double-exponential (tanh-sinh) rule.
+template <class Function>
+double integrate(const Function& f, double from, double to) {
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from), step = 1.0 / 128.0;
+  double sum = 0.0;
+  for (int k = -512; k <= 512; ++k) {
+    const double u = 0.5 * pi * std::sinh(k * step);
+    sum += f(middle + half * std::tanh(u)) * std::cosh(k * step) / std::pow(std::cosh(u), 2);
+  }
+  return 0.5 * pi * step * half * sum;
+}
+
+/// What the integrals of 1/t^3, x^2/t^3 and 1/t over a symmetric hinge make of the compliance of
+/// its end, x from the middle.
+Eigen::Matrix3d end_compliance(double rotation, double second, double extension, double length) {
+  const double shear = extension * 2.0 * (1.0 + 0.33) * 6.0 / 5.0;
+  Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
+  c(0, 0) = extension;
+  c(1, 1) = 0.25 * length * length * rotation + second + shear;
+  c(1, 2) = c(2, 1) = 0.5 * length * rotation;
+  c(2, 2) = rotation;
+  return c;
+}
+
+/// 1e-12: both quadratures round to some 1e-14.
+void expect_compliance(const FlexureProperties& flexure, const Eigen::Matrix3d& truth) {
+  const Eigen::Matrix3d linear = compliance_matrix(flexure, {flexure.axis.length(), 0.0});
+  const Eigen::Matrix3d exact = flexibility(*make_exact_port(flexure, {}, 1e-10));
+  for (const Eigen::Matrix3d& c : {linear, exact})
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {1, 2}, {2, 2}}) {
+      note_measured("c" + std::to_string(i) + std::to_string(j), c(i, j) / truth(i, j) - 1.0);
+      EXPECT_NEAR(c(i, j) / truth(i, j), 1.0, 1e-12) << i << j;
+    }
+}
+
+/// Integral of 12 x^2/(E b t^3) over both fillets, `inner` from the middle where they begin.
+double second_of_fillets(const CircularHinge& hinge, double inner) {
+  const auto at = [&](double angle) {
+    const double x = inner + hinge.r * std::sin(angle);
+    const double t = hinge.t + 2.0 * hinge.r * (1.0 - std::cos(angle));
+    return 12.0 * x * x / (modulus * width * t * t * t) * hinge.r * std::cos(angle);
+  };
+  return 2.0 * integrate(at, 0.0, 0.5 * pi);
+}
+
+/// An ellipse is a circle of radius b drawn out along the axis by a/b: the integrals grow by a/b,
+/// those of x^2 by its cube.
+TEST(EllipticNotch, IsACircularOneDrawnOut) {
+  for (const auto& [t, a, b] :
+       {std::array{0.6, 3.0, 1.0}, {0.6, 1.0, 2.5}, {0.05, 4.0, 2.0}, {3.0, 2.0, 1.5}}) {
+    const CircularHinge circle{t, b};
+    const double by = a / b;
+    expect_compliance(
+        strip(t, 2.0 * a, NotchProfile{a, b}),
+        end_compliance(by * circle.rotation(), by * by * by * second_of_fillets(circle, 0.0),
+                       by * circle.extension(), 2.0 * a));
+  }
+}
+
+/// The fillets of both ends make one circular notch between them, drawn apart by the straight part,
+/// which adds its own.
+TEST(FilletedHinge, IsACircularNotchAndAStraightPart) {
+  for (const auto& [t, r, length] :
+       {std::array{0.6, 2.0, 20.0}, {0.1, 3.0, 7.0}, {2.0, 0.5, 12.0}}) {
+    const double straight = length - 2.0 * r, eb = modulus * width;
+    const CircularHinge circle{t, r};
+    const double rotation = circle.rotation() + 12.0 * straight / (eb * t * t * t);
+    const double second =
+        second_of_fillets(circle, 0.5 * straight) + std::pow(straight, 3) / (eb * t * t * t);
+    const double extension = circle.extension() + straight / (eb * t);
+    expect_compliance(strip(t, length, FilletProfile{r}),
+                      end_compliance(rotation, second, extension, length));
+  }
 }
 
 /// K = 2 E b t^2.5/(9 pi sqrt R) for small t/R; its error shrinks in proportion to t/R.

@@ -16,10 +16,13 @@ bool is_coloured(int file_descriptor) {
 void print_diagnostics(const std::string& file, const Diagnostics& diagnostics) {
   const bool coloured = is_coloured(STDERR_FILENO);
   const char* red = coloured ? "\033[1;31m" : "";
+  const char* magenta = coloured ? "\033[1;35m" : "";
   const char* plain = coloured ? "\033[0m" : "";
-  for (const Diagnostic& d : diagnostics)
-    fmt::print(stderr, "{}:{}:{}: {}error:{} {}\n", file, d.position.line, d.position.column, red,
-               plain, d.message);
+  for (const Diagnostic& d : diagnostics) {
+    const bool is_error = d.severity == Severity::error;
+    fmt::print(stderr, "{}:{}:{}: {}{}:{} {}\n", file, d.position.line, d.position.column,
+               is_error ? red : magenta, is_error ? "error" : "warning", plain, d.message);
+  }
 }
 
 void print_error(const std::string& message) {

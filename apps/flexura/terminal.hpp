@@ -12,7 +12,7 @@ namespace flexura::app {
 /// Colours only where a person looks: the stream is a terminal and NO_COLOR is not set.
 bool is_coloured(int file_descriptor);
 
-/// One line per diagnostic, `file:line:column: error: message`, on standard error.
+/// One line per diagnostic, `file:line:column: error: message` (or `warning:`), on standard error.
 void print_diagnostics(const std::string& file, const Diagnostics& diagnostics);
 
 /// One `flexura: error: message` line on standard error.

@@ -14,11 +14,15 @@ struct SourcePosition {
   friend auto operator<=>(const SourcePosition&, const SourcePosition&) = default;  // NOLINT
 };
 
+/// An error makes a model unusable; a warning says that it is hardly what was meant.
+enum class Severity { error, warning };
+
 /// One mistake in a model file: what was wrong, with the offending value and the nearest valid
 /// choice in the sentence.
 struct Diagnostic {
   SourcePosition position;
   std::string message;
+  Severity severity = Severity::error;
 };
 
 using Diagnostics = std::vector<Diagnostic>;

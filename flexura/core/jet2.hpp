@@ -149,4 +149,46 @@ Jet2<N, T> cos(const Jet2<N, T>& a) {
   return a.chain(c, -sin_of(a.value), -c);
 }
 
+/// weight a^2/2.
+template <std::size_t N, class T, class Weight>
+constexpr Jet2<N, T> half_square(const Weight& weight, const Jet2<N, T>& a) {
+  const T w = T{} + weight;
+  const T slope = w * a.value;
+  return a.chain(0.5 * slope * a.value, slope, w);
+}
+
+/// A vector's components in axes that are turned by an angle.
+template <class Scalar>
+struct TurnedComponents {
+  Scalar along;   ///< x cos(angle) + y sin(angle)
+  Scalar across;  ///< y cos(angle) - x sin(angle)
+};
+
+/// Both at once: each is the other's derivative by the angle, but for its sign, so the chain rule
+/// takes half of what the sines, products and sums would.
+template <std::size_t N, class T>
+TurnedComponents<Jet2<N, T>> in_turned_axes(const Jet2<N, T>& angle, const Jet2<N, T>& x,
+                                            const Jet2<N, T>& y) {
+  const T c = cos_of(angle.value);
+  const T s = sin_of(angle.value);
+  TurnedComponents<Jet2<N, T>> turned{Jet2<N, T>(x.value * c + y.value * s),
+                                      Jet2<N, T>(y.value * c - x.value * s)};
+  auto& [u, v] = turned;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const T by_angle = angle.gradient[i];
+    const T p = x.gradient[i] * c + y.gradient[i] * s;
+    const T q = y.gradient[i] * c - x.gradient[i] * s;
+    u.gradient[i] = p + v.value * by_angle;
+    v.gradient[i] = q - u.value * by_angle;
+    for (std::size_t j = 0; j <= i; ++j, ++k) {
+      u.hessian[k] = x.hessian[k] * c + y.hessian[k] * s + v.value * angle.hessian[k] +
+                     by_angle * v.gradient[j] + q * angle.gradient[j];
+      v.hessian[k] = y.hessian[k] * c - x.hessian[k] * s - u.value * angle.hessian[k] -
+                     by_angle * u.gradient[j] - p * angle.gradient[j];
+    }
+  }
+  return turned;
+}
+
 }  // namespace flexura

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include "flexura/core/jet2.hpp"
 
 namespace flexura {
 
@@ -10,34 +10,13 @@ namespace flexura {
 ///     -f.t - 1/2 [ (f.t)^2/EA + (f.n)^2/GA_s ].
 /// Its derivative by f is minus the tangent of the deformed axis, (1 + eps) t + gamma n with
 /// eps = f.t/EA and gamma = f.n/GA_s. Compliances may be zero: nothing locks.
-template <class Scalar>
+/// (Numbers, or lanes of them where a scalar has lanes with sections of their own.)
+template <class Scalar, class Compliance>
 Scalar reissner_mixed_potential(const Scalar& theta, const Scalar& fx, const Scalar& fy,
-                                double axial_compliance, double shear_compliance) {
-  using std::cos;
-  using std::sin;
-  const Scalar c = cos(theta);
-  const Scalar s = sin(theta);
-  const Scalar ft = fx * c + fy * s;
-  const Scalar fn = fy * c - fx * s;
-  return -ft - 0.5 * (axial_compliance * (ft * ft) + shear_compliance * (fn * fn));
-}
-
-/// The same with compliances that differ from lane to lane of the scalar: varying sections.
-template <class Scalar, class Lanes>
-Scalar reissner_mixed_potential_by_lane(const Scalar& theta, const Scalar& fx, const Scalar& fy,
-                                        const Lanes& axial_compliance,
-                                        const Lanes& shear_compliance) {
-  using std::cos;
-  using std::sin;
-  const Scalar c = cos(theta);
-  const Scalar s = sin(theta);
-  const Scalar ft = fx * c + fy * s;
-  const Scalar fn = fy * c - fx * s;
-  Scalar axial = ft * ft;
-  Scalar shear = fn * fn;
-  axial *= axial_compliance;
-  shear *= shear_compliance;
-  return -ft - 0.5 * (axial + shear);
+                                const Compliance& axial_compliance,
+                                const Compliance& shear_compliance) {
+  const auto [ft, fn] = in_turned_axes(theta, fx, fy);
+  return -(ft + half_square(axial_compliance, ft) + half_square(shear_compliance, fn));
 }
 
 /// Stiffnesses of a section: EA, GA_s, EI.
@@ -55,14 +34,9 @@ template <class Scalar>
 Scalar reissner_strain_energy(const Scalar& dx, const Scalar& dy, const Scalar& theta,
                               const Scalar& kappa, const SectionStiffness& section,
                               double stretch = 1.0) {
-  using std::cos;
-  using std::sin;
-  const Scalar c = cos(theta);
-  const Scalar s = sin(theta);
-  const Scalar eps = dx * c + dy * s - stretch;
-  const Scalar gamma = dy * c - dx * s;
-  return 0.5 * (section.axial * (eps * eps) + section.shear * (gamma * gamma) +
-                section.bending * (kappa * kappa));
+  const auto [along, gamma] = in_turned_axes(theta, dx, dy);
+  return half_square(section.axial, along - stretch) + half_square(section.shear, gamma) +
+         half_square(section.bending, kappa);
 }
 
 }  // namespace flexura

@@ -98,13 +98,19 @@ void validate(Reading& reading, const Model& model, const TomlNode& root) {
   for (const Mistake& mistake : news) {
     reading.report(mistake.path, locator.locate(mistake.path), mistake.message);
   }
+  if (reading.has_mistake({"units"})) return;
+  for (const Mistake& doubt : find_doubts(model)) {
+    if (reading.has_mistake(doubt.path)) continue;
+    reading.warn(doubt.path, locator.locate(doubt.path), doubt.message);
+  }
 }
 
 ModelReading finish(Diagnostics diagnostics, std::optional<Model> model) {
   std::stable_sort(
       diagnostics.begin(), diagnostics.end(),
       [](const Diagnostic& a, const Diagnostic& b) { return a.position < b.position; });
-  if (!diagnostics.empty()) model.reset();
+  const auto is_error = [](const Diagnostic& d) { return d.severity == Severity::error; };
+  if (std::any_of(diagnostics.begin(), diagnostics.end(), is_error)) model.reset();
   return {std::move(model), std::move(diagnostics)};
 }
 

@@ -15,7 +15,8 @@ namespace flexura {
 /// quantity with a unit ("50 um") or an expression ("= 2*w").
 using ParameterOverrides = std::map<std::string, std::string>;
 
-/// The model, or every mistake of the file sorted by position; never both, never neither.
+/// The model, or every mistake of the file sorted by position; never both, never neither. Warnings
+/// stand among the diagnostics of either.
 struct ModelReading {
   std::optional<Model> model;
   Diagnostics diagnostics;

@@ -21,6 +21,10 @@ void Reading::report_key(const KeyPath& table, const std::string& key, SourcePos
   mistaken_.insert(table / key);
 }
 
+void Reading::warn(const KeyPath& path, SourcePosition position, const std::string& message) {
+  diagnostics_.push_back({position, to_text(path) + ": " + message, Severity::warning});
+}
+
 bool Reading::has_mistake(const KeyPath& path) const {
   for (std::size_t length = 0; length <= path.size(); ++length) {
     const auto last = path.begin() + static_cast<std::ptrdiff_t>(length);

@@ -23,6 +23,9 @@ class Reading {
   void report_key(const KeyPath& table, const std::string& key, SourcePosition position,
                   const std::string& message);
 
+  /// The same for what is allowed but hardly meant: no mistake of the path.
+  void warn(const KeyPath& path, SourcePosition position, const std::string& message);
+
   /// Counts the path as mistaken without a report: another one explains it.
   void spoil(const KeyPath& path) { mistaken_.insert(path); }
 

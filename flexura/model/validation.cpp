@@ -29,6 +29,12 @@ KeyPath operator/(KeyPath path, std::size_t index) {
   return std::move(path) / fmt::format("[{}]", index);
 }
 
+namespace {
+
+const char* cure_of_sign(double value) { return value < 0.0 ? "; check the sign" : ""; }
+
+}  // namespace
+
 void Mistakes::require_finite(const KeyPath& path, double value) {
   if (!std::isfinite(value)) add(path, fmt::format("must be finite, is {}", value));
 }
@@ -41,7 +47,7 @@ void Mistakes::require_finite(const KeyPath& path, Vec2 value) {
 
 void Mistakes::require_positive(const KeyPath& path, double value) {
   if (!(value > 0.0)) {
-    add(path, fmt::format("must be greater than 0, is {}", value));
+    add(path, fmt::format("must be greater than 0, is {}{}", value, cure_of_sign(value)));
   } else {
     require_finite(path, value);
   }
@@ -49,7 +55,7 @@ void Mistakes::require_positive(const KeyPath& path, double value) {
 
 void Mistakes::require_not_negative(const KeyPath& path, double value) {
   if (!(value >= 0.0)) {
-    add(path, fmt::format("must not be negative, is {}", value));
+    add(path, fmt::format("must not be negative, is {}{}", value, cure_of_sign(value)));
   } else {
     require_finite(path, value);
   }

@@ -36,6 +36,11 @@ struct ValidationScope {
 /// lie outside their lists, numbers may be NaN.
 std::vector<Mistake> find_mistakes(const Model& model, const ValidationScope& scope);
 
+/// What is allowed but hardly meant: a material whose modulus lies outside what materials have,
+/// which is a unit gone wrong. Of a model without mistakes there; units that cannot be read have
+/// none.
+std::vector<Mistake> find_doubts(const Model& model);
+
 /// Every broken rule of a model, sorted by position (that of the material, section, body, flexure
 /// or study concerned), each with the place in words. Empty means valid: studies may rely on it.
 Diagnostics validate_model(const Model& model);

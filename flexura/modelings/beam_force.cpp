@@ -18,8 +18,7 @@ class ForceBeamPort final : public TwoPort {
       const Pack2 shorter{mesh_stretch(g) - 1.0, mesh_stretch(g + 1) - 1.0};
       auto along = fx * cos(theta) + fy * sin(theta);
       along *= shorter;
-      return reissner_mixed_potential_by_lane(theta, fx, fy, compliances_.axial(g),
-                                              compliances_.shear(g)) -
+      return reissner_mixed_potential(theta, fx, fy, compliances_.axial(g), compliances_.shear(g)) -
              along;
     };
   }

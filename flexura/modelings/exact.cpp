@@ -67,8 +67,7 @@ template <class Call>
 auto ExactPort::with_potential(const Call& call) const {
   if (flexure_.varying)
     return call([this](std::size_t g, const auto& theta, const auto& fx, const auto& fy) {
-      return reissner_mixed_potential_by_lane(theta, fx, fy, compliances_.axial(g),
-                                              compliances_.shear(g));
+      return reissner_mixed_potential(theta, fx, fy, compliances_.axial(g), compliances_.shear(g));
     });
   return call([this](std::size_t, const auto& theta, const auto& fx, const auto& fy) {
     return reissner_mixed_potential(theta, fx, fy, flexure_.axial_compliance,

@@ -112,15 +112,21 @@ double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gau
     for (std::size_t v = 0; v < 4; ++v)
       h[v] = {da * energy.second(v, 0), da * energy.second(v, 1),
               n[a] * energy.second(v, 2) + d[a] * energy.second(v, 3)};
-    for (std::size_t b = first == 0 ? 1 : 0; b <= a; ++b) {
+    double* row[3];  // row[r][c] is entry (i + r, c)
+    for (std::size_t r = 0; r < 3; ++r) row[r] = band + (i + r) * stride + width() - (i + r);
+    for (std::size_t b = first == 0 ? 1 : 0; b < a; ++b) {
       const double db = length * d[b];
       const std::size_t j = 3 * (first + b - 1);
       for (std::size_t r = 0; r < 3; ++r) {
-        double* row = band + (i + r) * stride + width() - (i + r);  // row[c] is entry (i + r, c)
-        row[j] += db * h[0][r];
-        if (j + 1 <= i + r) row[j + 1] += db * h[1][r];
-        if (j + 2 <= i + r) row[j + 2] += n[b] * h[2][r] + d[b] * h[3][r];
+        row[r][j] += db * h[0][r];
+        row[r][j + 1] += db * h[1][r];
+        row[r][j + 2] += n[b] * h[2][r] + d[b] * h[3][r];
       }
+    }
+    for (std::size_t r = 0; r < 3; ++r) {  // the node's own block: its lower triangle
+      row[r][i] += da * h[0][r];
+      if (r > 0) row[r][i + 1] += da * h[1][r];
+      if (r > 1) row[r][i + 2] += n[a] * h[2][r] + d[a] * h[3][r];
     }
   }
   return energy.value;

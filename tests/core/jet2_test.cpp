@@ -66,6 +66,20 @@ TEST(Jet2, ElementaryFunctions) {
              {y * y / r3, -x * y / r3, x * x / r3, 0, 0, 0});
 }
 
+TEST(Jet2, HalfSquares) {
+  expect_jet(half_square(3.0, jx * jy), 1.5 * x * x * y * y, {3 * x * y * y, 3 * x * x * y, 0},
+             {3 * y * y, 6 * x * y, 3 * x * x, 0, 0, 0});
+}
+
+/// Of arguments that are curved themselves, against sines, cosines and products.
+TEST(Jet2, TurnedComponents) {
+  const Jet angle = jx * jz, a = jy * jy * jx, b = jx * jx - jz * jy;
+  const auto [along, across] = in_turned_axes(angle, a, b);
+  const Jet u = a * cos(angle) + b * sin(angle), v = b * cos(angle) - a * sin(angle);
+  expect_jet(along, u.value, u.gradient, u.hessian);
+  expect_jet(across, v.value, v.gradient, v.hessian);
+}
+
 TEST(Jet2, SecondReadsBothTriangles) {
   const Jet product = jx * jx * jy;
   for (std::size_t i = 0; i < 3; ++i)

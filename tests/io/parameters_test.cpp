@@ -83,8 +83,9 @@ TEST(Overrides, MistakesStandAtTheBeginningOfTheFile) {
             "\"= ..\", got --set thick=nan: it does not begin with a number\n");
   EXPECT_EQ(complaints(text, {{"thick", "= 2*thick"}}),
             "1:1: parameters.thick: the parameter is defined by itself: thick -> thick\n");
-  EXPECT_EQ(complaints(text, {{"thick", "-1"}}),
-            "12:27: sections.strip.rectangle.thickness: must be greater than 0, is -1\n");
+  EXPECT_EQ(
+      complaints(text, {{"thick", "-1"}}),
+      "12:27: sections.strip.rectangle.thickness: must be greater than 0, is -1; check the sign\n");
   EXPECT_EQ(complaints(ModelText(), {{"t", "1"}}),
             "1:1: --set t=1: unknown parameter 't'; the model has no parameters\n");
 }

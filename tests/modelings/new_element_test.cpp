@@ -25,11 +25,9 @@ struct StiffeningDensity {
   template <class Scalar>
   Scalar operator()(const Scalar& dx, const Scalar& dy, const Scalar& theta, const Scalar& kappa,
                     double stretch) const {
-    const Scalar c = cos(theta), s = sin(theta);
-    const Scalar eps = dx * c + dy * s - stretch;
-    const Scalar gamma = dy * c - dx * s;
+    const auto [along, gamma] = in_turned_axes(theta, dx, dy);
     const Scalar bent = kappa * kappa;
-    return 0.5 * (axial * eps * eps + shear * gamma * gamma) +
+    return half_square(axial, along - stretch) + half_square(shear, gamma) +
            0.5 * bending * bent * (1.0 + 0.5 * beta * bent);
   }
 };
