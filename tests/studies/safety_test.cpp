@@ -102,7 +102,7 @@ TEST(Safety, IsFoundWhereTheLoadTurnsBack) {
   EXPECT_NEAR(safety.reached->displacements[0].y, 0.0, 1e-12);
 }
 
-TEST(Safety, IsMissedNeitherBeforeALastStateOfLittleStress) {
+TEST(Safety, IsNotMissedBeforeALastStateOfLittleStress) {
   PathResult path;
   path.flexures = {"a", "b"};
   path.strengths = {10.0, {}};
