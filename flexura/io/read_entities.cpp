@@ -78,6 +78,7 @@ std::vector<Material> read_materials(Reading& reading, const Place& place) {
     material.youngs_modulus = table.required_quantity("youngs_modulus", dimensions::stress);
     material.poissons_ratio = table.required_quantity("poissons_ratio", dimensions::number);
     material.density = table.optional_quantity("density", dimensions::density);
+    material.strength = table.optional_quantity("strength", dimensions::stress);
     materials.push_back(std::move(material));
   }
   return materials;

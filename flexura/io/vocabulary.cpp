@@ -17,7 +17,7 @@ const Vocabulary& units() {
 }
 
 const Vocabulary& material() {
-  static const Vocabulary v{{"youngs_modulus", "poissons_ratio", "density"}, {}};
+  static const Vocabulary v{{"youngs_modulus", "poissons_ratio", "density", "strength"}, {}};
   return v;
 }
 

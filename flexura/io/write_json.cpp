@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "flexura/results/extremes.hpp"
+#include "flexura/results/safety.hpp"
 
 namespace flexura {
 namespace {
@@ -84,6 +85,24 @@ Json extremes_json(const PathResult& path, const ModelingPath& modeling) {
   return json;
 }
 
+/// The factor at the last state, and where the path first reaches the strength.
+Json safety_json(const PathResult& path, const Safety& safety) {
+  const auto name = [&](std::size_t flexure) { return Json(path.flexures[flexure]); };
+  Json json = {{"factor", optional_number(safety.factor)},
+               {"flexure", safety.factor ? name(safety.flexure) : Json(nullptr)},
+               {"strength_reached", nullptr}};
+  if (!safety.reached) return json;
+  Json displacements = Json::object();
+  for (std::size_t p = 0; p < path.points.size(); ++p) {
+    const Vec2 moved = safety.reached->displacements[p];
+    displacements[path.points[p]] = {{"x", moved.x}, {"y", moved.y}};
+  }
+  json["strength_reached"] = {{"load_factor", safety.reached->load_factor},
+                              {"flexure", name(safety.reached->flexure)},
+                              {"displacements", std::move(displacements)}};
+  return json;
+}
+
 Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   Json json = {{"modeling", modeling.modeling}};
   add_termination(json, modeling.termination);
@@ -94,6 +113,7 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   json["error_estimate"] = optional_number(modeling.error_estimate);
   json["difference"] = optional_number(modeling.difference);
   json["extremes"] = extremes_json(path, modeling);
+  if (const auto safety = find_safety(path, modeling)) json["safety"] = safety_json(path, *safety);
   Json& events = json["events"] = Json::array();
   for (const PathEvent& event : modeling.events) {
     events.push_back({{"kind", event.kind},

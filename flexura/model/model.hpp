@@ -29,6 +29,7 @@ struct Material {
   double youngs_modulus = 0.0;
   double poissons_ratio = 0.0;
   std::optional<double> density;
+  std::optional<double> strength;  ///< the largest fibre stress allowed
   SourcePosition source;
 };
 

@@ -1,6 +1,7 @@
 #include "flexura/report/data_json.hpp"
 #include "flexura/report/difference.hpp"
 #include "flexura/results/point_owner.hpp"
+#include "flexura/results/safety.hpp"
 
 namespace flexura::report_data {
 namespace {
@@ -39,11 +40,22 @@ Json members_json(const std::vector<std::vector<MemberStation>>& members) {
     Json rows = Json::array();
     for (const MemberStation& m : stations) {
       rows.push_back({rounded(m.s), rounded(m.axial_force), rounded(m.shear_force),
-                      rounded(m.bending_moment), rounded(m.stress)});
+                      rounded(m.bending_moment), rounded(m.stress), rounded(m.section.position.x),
+                      rounded(m.section.position.y)});
     }
     list.push_back(std::move(rows));
   }
   return list;
+}
+
+Json safety_json(const std::optional<Safety>& safety) {
+  if (!safety) return nullptr;
+  Json reached;
+  if (safety->reached) {
+    reached = {{"flexure", safety->reached->flexure},
+               {"load_factor", rounded(safety->reached->load_factor)}};
+  }
+  return {{"factor", optional_number(safety->factor)}, {"reached", std::move(reached)}};
 }
 
 Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordinates& coordinates) {
@@ -83,6 +95,7 @@ Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordin
           {"seconds", rounded(m.seconds)},
           {"error_estimate", optional_number(m.error_estimate)},
           {"difference", optional_number(m.difference)},
+          {"safety", safety_json(find_safety(path, m))},
           {"events", std::move(events)},
           {"reaction_events", std::move(reaction_events)},
           {"states", std::move(states)},

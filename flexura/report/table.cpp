@@ -1,7 +1,6 @@
 #include "flexura/report/table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <variant>
@@ -10,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "flexura/report/wrap.hpp"
+#include "flexura/results/safety.hpp"
 
 namespace flexura {
 namespace {
 
-constexpr std::size_t column_count = 8;
 constexpr std::size_t line_width = 96;
-using Row = std::array<std::string, column_count>;
+using Row = std::vector<std::string>;
 
 enum class Ink { plain, bold, faint, good, bad };
 
@@ -45,8 +44,9 @@ std::string percent(const std::optional<double>& fraction) {
   return fraction && std::isfinite(*fraction) ? number(100.0 * *fraction) + " %" : "-";
 }
 
-Row row_of(const ModelingPath& m, bool is_reference) {
-  return {m.label,
+/// The columns of every table; a last one where a strength is stated.
+Row row_of(const ModelingPath& m, bool is_reference, const std::optional<Safety>& safety) {
+  Row row{m.label,
           m.termination.converged() ? "converged" : "stopped",
           std::to_string(m.unknowns),
           std::to_string(m.steps),
@@ -54,24 +54,27 @@ Row row_of(const ModelingPath& m, bool is_reference) {
           duration(m.seconds),
           percent(m.error_estimate),
           is_reference ? "reference" : percent(m.difference)};
+  if (safety) row.push_back(safety->factor ? number(*safety->factor) : "-");
+  return row;
 }
 
 /// Two columns of words to the left, numbers to the right.
-std::string align(const Row& row, const std::array<std::size_t, column_count>& widths,
-                  Ink status_ink, bool colour) {
+std::string align(const Row& row, const std::vector<std::size_t>& widths, Ink status_ink,
+                  bool colour) {
   std::string line = " ";
-  for (std::size_t c = 0; c < column_count; ++c) {
+  for (std::size_t c = 0; c < row.size(); ++c) {
     const std::string gap(widths[c] - display_width(row[c]), ' ');
     const bool left = c < 2;
     // Escapes take no room on the screen, so they are put around what is already measured.
     const std::string text = c == 1 ? paint(row[c], status_ink, colour) : row[c];
-    line += ' ' + (left ? text + gap : gap + text) + (c + 1 < column_count ? " " : "");
+    line += ' ' + (left ? text + gap : gap + text) + (c + 1 < row.size() ? " " : "");
   }
   return line + '\n';
 }
 
 /// Events on the way and why it stopped, below the row they belong to.
-std::string notes(const ModelingPath& m, bool colour) {
+std::string notes(const PathResult& path, const ModelingPath& m,
+                  const std::optional<Safety>& safety, bool colour) {
   std::string text;
   const auto add = [&](const std::string& note, Ink ink) {
     for (const std::string& line : wrap_text(note, line_width - 6)) {
@@ -80,6 +83,11 @@ std::string notes(const ModelingPath& m, bool colour) {
   };
   for (const PathEvent& event : m.events) {
     add(fmt::format("{} at load factor {:.4g}", event.kind, event.load_factor), Ink::faint);
+  }
+  if (safety && safety->reached) {
+    add(fmt::format("strength of {} reached at load factor {:.4g}",
+                    path.flexures[safety->reached->flexure], safety->reached->load_factor),
+        Ink::bad);
   }
   if (!m.termination.converged()) {
     const std::string place =
@@ -93,12 +101,19 @@ std::string notes(const ModelingPath& m, bool colour) {
 std::string path_table(const StudyResult& study, const PathResult& path, bool colour) {
   std::vector<Row> rows{{"modeling", "status", "unknowns", "steps", "iterations", "time",
                          "error est.", "difference"}};
+  std::vector<std::optional<Safety>> safeties;
   for (std::size_t m = 0; m < path.modelings.size(); ++m) {
-    rows.push_back(row_of(path.modelings[m], m == path.reference));
+    safeties.push_back(find_safety(path, path.modelings[m]));
+    rows.push_back(row_of(path.modelings[m], m == path.reference, safeties.back()));
   }
-  std::array<std::size_t, column_count> widths{};
+  if (std::ranges::any_of(safeties, [](const auto& safety) { return safety.has_value(); })) {
+    rows.front().emplace_back("safety");
+    // Of a modeling that never began nothing is known.
+    for (Row& row : rows) row.resize(rows.front().size(), "-");
+  }
+  std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const Row& row : rows) {
-    for (std::size_t c = 0; c < column_count; ++c) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
       widths[c] = std::max(widths[c], display_width(row[c]));
     }
   }
@@ -111,7 +126,7 @@ std::string path_table(const StudyResult& study, const PathResult& path, bool co
     const ModelingPath& modeling = path.modelings[m];
     text +=
         align(rows[m + 1], widths, modeling.termination.converged() ? Ink::good : Ink::bad, colour);
-    text += notes(modeling, colour);
+    text += notes(path, modeling, safeties[m], colour);
   }
   return text;
 }

@@ -35,6 +35,7 @@ struct PathState {
   std::vector<Pose> mids;               ///< section at mid-length of every flexure
   std::vector<Reaction> reactions;      ///< of PathResult::held
   std::vector<std::vector<Vec2>> axes;  ///< deformed axis of every flexure, for drawing
+  std::vector<double> peak_stresses;    ///< of every flexure, the largest over its stations
   double strain_energy = 0.0;
   int unstable_directions = 0;  ///< negative eigenvalues of the tangent; 0 is stable
 };
@@ -91,7 +92,8 @@ struct PathResult {
   std::vector<std::string> bodies;  ///< moving bodies
   std::vector<std::string> points;  ///< "body.point", of moving bodies
   std::vector<std::string> flexures;
-  std::vector<HeldPlace> held;  ///< what the reactions of all states belong to
+  std::vector<std::optional<double>> strengths;  ///< of the flexures' materials
+  std::vector<HeldPlace> held;                   ///< what the reactions of all states belong to
   std::vector<ModelingPath> modelings;
   std::size_t reference = 0;  ///< index into modelings
   /// States are those that a continuation took: the load factor need not grow.

@@ -1,5 +1,6 @@
 #include "flexura/studies/path_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flexura {
@@ -42,6 +43,40 @@ Vec2 drawn_place(const DrawnSections& sections, std::size_t k) {
   return sections.before.empty() ? Vec2{} : sections.before[k].pose.position;
 }
 
+/// The largest fibre stress at the stations of a flexure.
+class FibreStress {
+ public:
+  FibreStress(const Model& model, const System& system, std::size_t flexure)
+      : shape_(model.sections[model.flexures[flexure].section].shape),
+        varies_(varying_profile(shape_) != nullptr),
+        length_(system.layout().members[flexure].length),
+        section_(section_properties(shape_)) {}
+
+  double operator()(const SectionState& state, double s) const {
+    const SectionProperties section = varies_ ? section_properties(shape_, s, length_) : section_;
+    const double modulus = section.second_moment / (0.5 * section.depth);
+    return std::abs(state.axial_force) / section.area + std::abs(state.bending_moment) / modulus;
+  }
+
+  double largest(const std::vector<SectionState>& sections) const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      most = std::max(most, (*this)(sections[i], at(i, sections.size())));
+    return most;
+  }
+
+  /// Arc length at station i of `stations`.
+  double at(std::size_t i, std::size_t stations) const {
+    return length_ * static_cast<double>(i) / static_cast<double>(stations - 1);
+  }
+
+ private:
+  const Section& shape_;
+  bool varies_;
+  double length_;
+  SectionProperties section_;
+};
+
 }  // namespace
 
 PathState make_path_state(const Model& model, const System& system, const std::vector<double>& z,
@@ -66,6 +101,7 @@ PathState make_path_state(const Model& model, const System& system, const std::v
     for (std::size_t i = 0; i < axis.size(); ++i)
       axis[i] = to_global.point(axis[i], drawn_place(sections, i));
     state.axes.push_back(std::move(axis));
+    state.peak_stresses.push_back(FibreStress(model, system, k).largest(sections.now));
   }
   return state;
 }
@@ -76,23 +112,18 @@ std::vector<std::vector<MemberStation>> make_members(const Model& model, const S
   for (std::size_t k = 0; k < model.flexures.size(); ++k) {
     const ToGlobal to_global(system, k, z);
     const DrawnSections sections = sections_of(system, k, z);
-    const double length = system.layout().members[k].length;
+    const FibreStress stress(model, system, k);
     std::vector<MemberStation> stations;
     for (std::size_t i = 0; i < sections.now.size(); ++i) {
       const SectionState& s = sections.now[i];
-      const auto intervals = static_cast<double>(sections.now.size() - 1);
-      const double at = length * static_cast<double>(i) / intervals;
-      const SectionProperties section =
-          section_properties(model.sections[model.flexures[k].section].shape, at, length);
-      const double modulus = section.second_moment / (0.5 * section.depth);
-      stations.push_back(
-          {at,
-           {to_global.point(s.pose.position, drawn_place(sections, i)),
-            to_global.rotation(s.pose.rotation)},
-           s.axial_force,
-           s.shear_force,
-           s.bending_moment,
-           std::abs(s.axial_force) / section.area + std::abs(s.bending_moment) / modulus});
+      const double at = stress.at(i, sections.now.size());
+      stations.push_back({at,
+                          {to_global.point(s.pose.position, drawn_place(sections, i)),
+                           to_global.rotation(s.pose.rotation)},
+                          s.axial_force,
+                          s.shear_force,
+                          s.bending_moment,
+                          stress(s, at)});
     }
     members.push_back(std::move(stations));
   }
@@ -106,7 +137,10 @@ PathResult make_path_names(const Model& model) {
     names.bodies.push_back(body.name);
     for (const Point& point : body.points) names.points.push_back(body.name + "." + point.name);
   }
-  for (const Flexure& flexure : model.flexures) names.flexures.push_back(flexure.name);
+  for (const Flexure& flexure : model.flexures) {
+    names.flexures.push_back(flexure.name);
+    names.strengths.push_back(model.materials[flexure.material].strength);
+  }
   return names;
 }
 

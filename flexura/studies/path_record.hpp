@@ -8,8 +8,8 @@
 
 namespace flexura {
 
-/// The unknowns of a system as poses, points and drawn axes, in the order of the model's moving
-/// bodies, their points, and its flexures.
+/// The unknowns of a system as poses, points, drawn axes and peak stresses, in the order of the
+/// model's moving bodies, their points, and its flexures.
 PathState make_path_state(const Model& model, const System& system, const std::vector<double>& z,
                           double load_factor);
 
@@ -17,7 +17,7 @@ PathState make_path_state(const Model& model, const System& system, const std::v
 std::vector<std::vector<MemberStation>> make_members(const Model& model, const System& system,
                                                      const std::vector<double>& z);
 
-/// The names that go with path states.
+/// The names that go with path states, and the flexures' strengths.
 PathResult make_path_names(const Model& model);
 
 }  // namespace flexura

@@ -205,6 +205,85 @@ class ReportTest(unittest.TestCase):
                             "s.dispatchEvent(new Event('change'))")
         self.assertNotEqual(before, self.browser.script(state))
 
+    def choose_diagram(self, key):
+        self.browser.script("document.querySelector(`[name=diagram][value='${arguments[0]}']`)"
+                            ".click()", key)
+        time.sleep(0.1)
+
+    def test_diagram_is_drawn_on_the_last_state(self):
+        drawn = """
+          return { fills: [...document.querySelectorAll('.diagram-fill')]
+                     .map((path) => path.getAttribute('d')),
+                   labels: [...document.querySelectorAll('.diagram-names text')]
+                     .map((text) => text.textContent),
+                   caption: document.getElementById('diagram-caption').textContent,
+                   slider: document.getElementById('load-slider').value
+                     / document.getElementById('load-slider').max };
+        """
+        self.path_study()
+        self.assertEqual([], self.browser.script(drawn)["fills"])
+        self.seek(0.4)
+        shapes = set()
+        for key, label in (("axial_force", "N "), ("shear_force", "V "),
+                           ("bending_moment", "M "), ("stress", "σ ")):
+            self.choose_diagram(key)
+            now = self.browser.script(drawn)
+            self.assertEqual(1.0, now["slider"], "a diagram is of the last state")
+            self.assertGreater(len(now["fills"]), 0)
+            self.assertFalse(any("NaN" in d or not d for d in now["fills"]))
+            self.assertGreater(len(now["labels"]), 0)
+            self.assertTrue(all(text.startswith(label) for text in now["labels"]), now["labels"])
+            shapes.add("".join(now["fills"]))
+        self.assertEqual(4, len(shapes))
+        self.seek(0.4)
+        now = self.browser.script(drawn)
+        self.assertEqual([], now["fills"])
+        self.assertIn("end of the slider", now["caption"])
+        self.seek(1.0)
+        self.assertGreater(len(self.browser.script(drawn)["fills"]), 0)
+        self.choose_diagram("")
+        now = self.browser.script(drawn)
+        self.assertEqual(([], ""), (now["fills"], now["caption"]))
+
+    def test_largest_ordinate_keeps_to_the_mechanism(self):
+        self.path_study()
+        self.choose_diagram("bending_moment")
+        size, diagram = self.browser.script("""
+          const box = (selector) => {
+            const b = document.querySelector(selector).getBBox();
+            return Math.max(b.width, b.height);
+          };
+          return [box('.ghost-flexures'), box('.diagrams')];
+        """)
+        self.assertGreater(diagram, 0.1 * size)
+        self.assertLess(diagram, 3.0 * size)
+
+    def test_address_may_choose_a_diagram(self):
+        study = self.path_study()
+        self.browser.script("window.location.hash = '#' + encodeURIComponent(arguments[0])"
+                            " + '/bending_moment'", study)
+        time.sleep(0.2)
+        self.assertEqual("bending_moment", self.browser.script(
+            "return document.querySelector('[name=diagram]:checked').value"))
+        self.assertGreater(self.browser.script(
+            "return document.querySelectorAll('.diagram-fill').length"), 0)
+
+    def test_extremes_and_safety_are_listed(self):
+        safeties = 0
+        for study in self.studies:
+            self.open_study(study)
+            if self.kind() != "path":
+                continue
+            rows = self.browser.script(
+                "return [...document.querySelectorAll('#extremes tbody tr')]"
+                ".map((row) => row.textContent)")
+            self.assertGreater(len(rows), 0)
+            self.assertTrue(any("s = " in row for row in rows))
+            safeties += self.browser.script(
+                "return [...document.querySelectorAll('#extremes th')]"
+                ".filter((head) => head.textContent.startsWith('Safety')).length")
+        self.assertGreater(safeties, 0)
+
     def test_choosing_a_record_shows_its_ellipse(self):
         for study in self.studies:
             self.open_study(study)
@@ -231,6 +310,8 @@ class ReportTest(unittest.TestCase):
             for study in self.studies:
                 with self.subTest(width=width, study=study):
                     self.open_study(study)
+                    if self.kind() == "path":
+                        self.choose_diagram("stress")
                     self.assertEqual([], self.browser.script(UNTIDY))
         self.browser.resize(1280, 900)
 

@@ -30,6 +30,7 @@ TEST(ArcChain, HasTheSourcesNumbers) {
   EXPECT_EQ(model.materials[0].youngs_modulus, 2100.0);
   EXPECT_EQ(model.materials[0].poissons_ratio, 0.35);
   EXPECT_EQ(model.materials[0].density, 913e-12);
+  EXPECT_FALSE(model.materials[0].strength);
   const auto& section = std::get<RectangleSection>(model.sections.at(0).shape);
   EXPECT_EQ(section.thickness, 0.1);
   EXPECT_EQ(section.width, 1.0);
@@ -189,7 +190,7 @@ TEST(ModelReader, ImperialUnits) {
   text.units = "[units]\nlength = \"in\"\nforce = \"lbf\"\ntime = \"s\"\n";
   text.materials =
       "[materials.steel]\nyoungs_modulus = \"10.3e6 psi\"\npoissons_ratio = 0.33\n"
-      "density = \"0.098 lb/in^3\"\n";
+      "density = \"0.098 lb/in^3\"\nstrength = \"40 ksi\"\n";
   text.bodies =
       "[bodies.ground]\nfixed = true\n[bodies.stage]\nmass = \"0.0976 lb\"\n"
       "points = { P = [\"25.4 mm\", \"1 ft\"] }\n";
@@ -197,6 +198,7 @@ TEST(ModelReader, ImperialUnits) {
   const double g = 9.80665 / 0.0254;  // in/s^2
   EXPECT_EQ(model.materials[0].youngs_modulus, 10.3e6);
   EXPECT_DOUBLE_EQ(*model.materials[0].density, 0.098 / g);
+  EXPECT_EQ(model.materials[0].strength, 40e3);
   EXPECT_DOUBLE_EQ(model.bodies[1].mass, 0.0976 / g);
   EXPECT_DOUBLE_EQ(model.bodies[1].points[0].position.x, 1.0);
   EXPECT_DOUBLE_EQ(model.bodies[1].points[0].position.y, 12.0);

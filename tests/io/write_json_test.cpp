@@ -74,6 +74,32 @@ TEST(SummaryJson, SaysWhereTheLastStateIsLoadedMost) {
   EXPECT_TRUE(all[path.modelings[1].label]["extremes"].empty());
 }
 
+TEST(SummaryJson, HasSafetyWhereAStrengthIsStated) {
+  Result result = sample::make_sample_result();
+  auto& path = std::get<PathResult>(result.studies[0].content);
+  const auto safety = [&] {
+    return Json::parse(
+        make_summary_json(result))["studies"]["push"]["modelings"]["exact"]["safety"];
+  };
+  EXPECT_TRUE(safety().is_null());
+  path.strengths = {50.0, 50.0, {}};
+  for (ModelingPath& modeling : path.modelings)
+    for (PathState& state : modeling.states) state.peak_stresses = {0.0, 0.0, 1e3};
+  EXPECT_EQ(safety(), (Json{{"factor", nullptr}, {"flexure", nullptr}, {"strength_reached", {}}}));
+  ModelingPath& exact = path.modelings[3];
+  for (PathState& state : exact.states) state.peak_stresses[1] = 80.0 * state.load_factor;
+  const Json found = safety();
+  EXPECT_EQ(found["factor"], 0.625);
+  EXPECT_EQ(found["flexure"], path.flexures[1]);
+  const Json& reached = found["strength_reached"];
+  EXPECT_NEAR(reached["load_factor"], 0.625, 1e-12);
+  EXPECT_EQ(reached["flexure"], path.flexures[1]);
+  const double least = exact.states[12].points[0].x - exact.states[0].points[0].x;
+  const double most = exact.states[13].points[0].x - exact.states[0].points[0].x;
+  const double x = reached["displacements"]["link4.E"]["x"];
+  EXPECT_NEAR(x, 0.5 * (least + most), 0.05 * std::abs(most - least));
+}
+
 TEST(SummaryJson, CountsWhatNeverRanAsStopped) {
   Result result = sample::make_sample_result();
   result.studies[0].termination = {};

@@ -31,7 +31,7 @@ Load moment_on(std::size_t body) {
 Model leaf_model() {
   Model model;
   model.units = {"mm", "N", "s", "rad"};
-  model.materials.push_back({"steel", 210e3, 0.3, {}, {2, 1}});
+  model.materials.push_back({"steel", 210e3, 0.3, {}, {}, {2, 1}});
   model.sections.push_back({"strip", RectangleSection{0.1, 1.0}, {3, 1}});
   model.bodies.resize(2);
   model.bodies[0].name = "ground";
@@ -94,6 +94,20 @@ TEST(Validation, NumbersThatAreNone) {
   model = leaf_model();
   model.sections[0].shape = CircleSection{nan};
   expect_complaint(model, "sections.strip.circle.diameter", {3, 1});
+}
+
+TEST(Validation, AStrengthIsPositive) {
+  Model model = leaf_model();
+  model.materials[0].strength = 40.0;
+  EXPECT_TRUE(validate_model(model).empty());
+  for (const double wrong : {0.0, -1.0, nan}) {
+    model.materials[0].strength = wrong;
+    const Diagnostics diagnostics = validate_model(model);
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_NE(diagnostics[0].message.find("steel.strength: must be greater than 0"),
+              std::string::npos)
+        << diagnostics[0].message;
+  }
 }
 
 TEST(Validation, NamesAreUnique) {

@@ -105,6 +105,23 @@ TEST(Report, SaysWhichBodyCarriesAPoint) {
   EXPECT_EQ(path["owners"], nlohmann::json::array({2}));
 }
 
+TEST(Report, KnowsWhereStationsAreAndHowSafe) {
+  const Result result = sample::make_sample_result();
+  const auto& path = std::get<PathResult>(result.studies[2].content);
+  const nlohmann::json data = data_of(result)["studies"];
+  const nlohmann::json& prbm = data[2]["path"]["modelings"][2];
+  const MemberStation& station = path.modelings[2].members[1][2];
+  const nlohmann::json& row = prbm["members"][1][2];
+  ASSERT_EQ(row.size(), 7U);
+  EXPECT_NEAR(row[5], station.section.position.x, 1e-5);
+  EXPECT_NEAR(row[6], station.section.position.y, 1e-5);
+  EXPECT_EQ(prbm["safety"]["factor"], 0.8333333);
+  EXPECT_EQ(prbm["safety"]["reached"]["flexure"], 0);
+  EXPECT_NEAR(prbm["safety"]["reached"]["load_factor"], 30.0 / 36.0, 1e-6);
+  EXPECT_TRUE(data[2]["path"]["modelings"][0]["safety"]["reached"].is_null());
+  EXPECT_TRUE(data[0]["path"]["modelings"][0]["safety"].is_null());
+}
+
 TEST(Report, HoldsAntipolarAsPointAndDirection) {
   const Result result = sample::make_sample_result();
   const auto& linear = std::get<LinearResult>(result.studies[3].content);

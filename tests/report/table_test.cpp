@@ -55,6 +55,25 @@ TEST(ComparisonTable, ShowsEventsAndReasonsBelowTheRow) {
   for (const std::string& line : lines) EXPECT_LE(display_width(line), 100U);
 }
 
+TEST(ComparisonTable, ShowsSafetyWhereAStrengthIsStated) {
+  Result result = only(0);
+  auto& path = std::get<PathResult>(result.studies[0].content);
+  path.strengths = {50.0, {}, 50.0};
+  for (ModelingPath& modeling : path.modelings)
+    for (PathState& state : modeling.states)
+      state.peak_stresses = {40.0 * state.load_factor, 1e3, 10.0};
+  for (PathState& state : path.modelings[3].states)
+    state.peak_stresses[2] = 200.0 * state.load_factor;
+  path.modelings[1].states.clear();
+  const std::vector<std::string> lines = lines_of(make_comparison_table(result, false));
+  ASSERT_EQ(lines.size(), 8U);
+  EXPECT_TRUE(lines[1].ends_with("  difference  safety")) << lines[1];
+  EXPECT_TRUE(lines[2].ends_with("  1.25")) << lines[2];
+  EXPECT_TRUE(lines[3].ends_with("  -")) << lines[3];
+  EXPECT_TRUE(lines[5].ends_with("  0.250")) << lines[5];
+  EXPECT_EQ(lines[6], "      strength of e34 reached at load factor 0.25");
+}
+
 TEST(ComparisonTable, ColoursOnlyWhenAsked) {
   const Result result = sample::make_sample_result();
   const std::string plain = make_comparison_table(result, false);

@@ -58,13 +58,15 @@
   const address = (study) => `#${encodeURIComponent(study.name)}`;
 
   function openAddressed() {
+    const [study, diagram] = window.location.hash.slice(1).split('/');
     let name = '';
     try {
-      name = decodeURIComponent(window.location.hash.slice(1));
+      name = decodeURIComponent(study);
     } catch (error) {
       name = ''; // an address that is no valid encoding names no study
     }
-    open(data.studies.find((study) => study.name === name) || data.studies[0]);
+    open(data.studies.find((s) => s.name === name) || data.studies[0]);
+    if (SectionForces.named(diagram)) State.set({ diagram });
   }
 
   function tabs() {

@@ -1,7 +1,7 @@
 'use strict';
 // Section forces along a flexure at the last state of every modeling.
 const MemberPlots = (() => {
-  const { length, force } = State.units;
+  const { length } = State.units;
 
   function make(host, study) {
     const path = study.path;
@@ -18,12 +18,10 @@ const MemberPlots = (() => {
       .attr('value', (_, i) => i).text((name) => name);
     const grid = section.append('div').attr('class', 'charts charts-wide').node();
     const xTitle = `arc length from the base end, ${length}`;
-    const charts = [
-      [new Chart(grid, { xTitle, title: `Bending moment, ${force}·${length}` }), 3],
-      [new Chart(grid, { xTitle, title: `Axial force, ${force}` }), 1],
-      [new Chart(grid, { xTitle, title: `Shear force, ${force}` }), 2],
-      [new Chart(grid, { xTitle, title: `Largest fibre stress, ${force}/${length}²` }), 4],
-    ];
+    const charts = ['bending_moment', 'axial_force', 'shear_force', 'stress'].map((key) => {
+      const { name, unit, column } = SectionForces.named(key);
+      return [new Chart(grid, { xTitle, title: `${name}, ${unit}` }), column];
+    });
     State.follow(['flexure', 'hidden'], () => {
       const shown = withMembers.filter((m) => !State.chosen.hidden.has(m.label));
       for (const [chart, column] of charts) {
@@ -35,6 +33,9 @@ const MemberPlots = (() => {
         })));
       }
     });
+    section.append('h3').attr('class', 'extremes-title')
+      .text('Largest in absolute value, and where');
+    Tables.extremes(section.append('div').attr('id', 'extremes').node(), path);
   }
 
   return { make };

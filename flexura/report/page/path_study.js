@@ -35,10 +35,14 @@ const PathStudy = (() => {
   function shownStates(path, timeline) {
     const reference = path.modelings[path.reference];
     const order = [reference, ...path.modelings.filter((m) => m !== reference)];
-    return order.filter((m) => !State.chosen.hidden.has(m.label)).map((modeling) => ({
-      modeling,
-      state: Motion.stateAt(modeling, timeline.positions(modeling), State.chosen.position),
-    })).filter(({ state }) => state !== null);
+    return order.filter((m) => !State.chosen.hidden.has(m.label)).map((modeling) => {
+      const times = timeline.positions(modeling);
+      return {
+        modeling,
+        state: Motion.stateAt(modeling, times, State.chosen.position),
+        isLast: State.chosen.position >= times[times.length - 1] - 1e-9,
+      };
+    }).filter(({ state }) => state !== null);
   }
 
   function lookOf(modeling, state) {
@@ -129,10 +133,12 @@ const PathStudy = (() => {
     });
   }
 
+  // Returns what there is to say of the diagram.
   function drawFigure(view, study, timeline) {
     const shown = shownStates(study.path, timeline);
     Mechanism.drawGhost(view);
     Mechanism.drawGround(view);
+    const diagram = Diagrams.draw(view, shown);
     drawBodies(view, study.path, shown);
     view.paths('flexures', shown.flatMap(({ modeling, state }) => (
       Mechanism.flexureItems(view, state.axes, lookOf(modeling, state)))));
@@ -142,6 +148,8 @@ const PathStudy = (() => {
     drawTraces(view, study.path, shown, timeline);
     drawLoads(view, study, shown);
     drawNames(view, study.path);
+    Diagrams.drawPeaks(view, diagram);
+    return diagram.caption;
   }
 
   function hintFor(path, strays) {
@@ -168,15 +176,23 @@ const PathStudy = (() => {
     const stage = d3.select(host).append('div').attr('class', 'stage');
     const left = stage.append('section').attr('class', 'panel mechanism').node();
     legend(left, path);
+    const caption = Diagrams.chooser(left);
     const label = `The mechanism, undeformed and deformed, in study ${study.name}`;
     const { box, strays } = frameOf(path);
-    const view = new View(left, box, label, (v) => drawFigure(v, study, timeline));
+    const view = new View(left, box, label, (v) => {
+      caption.text(drawFigure(v, study, timeline));
+    });
     Transport.make(left, timeline);
     d3.select(left).append('p').attr('class', 'hint').text(hintFor(path, strays));
     const right = stage.append('section').attr('class', 'panel plots').node();
     PathPlots.make(right, study, subjects, timeline);
     if (path.held.length > 0) ReactionPlots.make(host, study, timeline);
     State.follow(['position', 'hidden'], () => view.redraw());
+    // Section forces are those of the last state, so that is where the reader is taken.
+    State.follow(['diagram'], () => {
+      if (State.chosen.diagram) State.set({ position: timeline.end });
+      else view.redraw();
+    });
     const comparison = d3.select(host).append('section').attr('class', 'panel');
     comparison.append('h2').text('Comparison');
     const table = comparison.append('div').attr('id', 'comparison').node();

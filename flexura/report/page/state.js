@@ -29,6 +29,7 @@ const State = (() => {
     subject: 0, // index into Motion.subjects of the study
     held: 0, // whose reactions are shown
     flexure: 0, // whose section forces are shown
+    diagram: '', // key of the section force drawn on the mechanism: see SectionForces
     record: 0, // of a linear study
     groups: new Set(['flexure', 'point']), // of ellipses drawn
   };

@@ -95,5 +95,60 @@ const Tables = (() => {
       .each(function notes(m) { addNotes(this, m, columns.length); });
   }
 
-  return { make, comparison };
+  const modelingColumn = {
+    title: 'Modeling',
+    left: true,
+    fill: (cell, m) => {
+      cell.append('span').attr('class', 'swatch');
+      cell.append('span').text(m.label);
+    },
+  };
+
+  function fillExtreme(cell, path, extreme) {
+    if (!extreme) {
+      cell.text('–');
+      return;
+    }
+    cell.append('span').text(Numbers.format(extreme.value));
+    if (extreme.value === 0) return;
+    cell.append('span').attr('class', 'faint is-place')
+      .text(`${path.flexures[extreme.flexure]}, s = ${Numbers.short(extreme.s, 3)} ${length}`);
+  }
+
+  function safetyColumns(path) {
+    if (!path.modelings.some((m) => m.safety)) return [];
+    const reached = (m) => (m.safety ? m.safety.reached : null);
+    return [
+      {
+        title: 'Safety',
+        unit: 'strength / stress',
+        text: (m) => (m.safety ? Numbers.format(m.safety.factor, 3) : '–'),
+        class: (m) => (m.safety && m.safety.factor !== null && m.safety.factor < 1
+          ? 'is-stopped' : ''),
+      },
+      {
+        title: 'Strength reached',
+        unit: 'at load factor',
+        class: (m) => (reached(m) ? 'is-stopped' : 'faint'),
+        fill: (cell, m) => {
+          cell.append('span').text(reached(m) ? Numbers.format(reached(m).load_factor) : 'never');
+          if (!reached(m)) return;
+          cell.append('span').attr('class', 'faint is-place')
+            .text(path.flexures[reached(m).flexure]);
+        },
+      },
+    ];
+  }
+
+  // Section forces, stress and safety at the last state of every modeling.
+  function extremes(host, path) {
+    const columns = [modelingColumn, ...SectionForces.quantities.map((quantity) => ({
+      title: quantity.name,
+      unit: quantity.unit,
+      fill: (cell, m) => fillExtreme(cell, path, SectionForces.extreme(m, quantity)),
+    })), ...safetyColumns(path)];
+    make(host, columns, path.modelings).style('--colour', (m) => State.colour(m.label));
+  }
+
+  return { make, comparison, extremes };
 })();
