@@ -26,10 +26,10 @@ ModelingModes buckle(const Mechanism& mechanism, std::vector<Load> loads, Modeli
 
 Mechanism column(const Stiffness& stiffness) { return cantilever(stiffness); }
 
-class Column : public ::testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, Column, ::testing::Bool());
+class BucklingColumn : public ::testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, BucklingColumn, ::testing::Bool());
 
-TEST_P(Column, EulerLoads) {
+TEST_P(BucklingColumn, EulerLoads) {
   const Mechanism model = column({1.0, 1.0, 1.0});
   const auto modes =
       buckle(model, {model.load("tip", {-1.0, 0.0})}, in_theory(exact(), "i"), GetParam(), 3);
