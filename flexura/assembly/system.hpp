@@ -82,6 +82,12 @@ struct SystemLayout {
 /// symmetric matrix, whose inertia tells stability. Follower loads make it unsymmetric.
 class System {
  public:
+  /// A point fixed to a body.
+  struct Place {
+    std::size_t body = 0;
+    Vec2 drawn;
+  };
+
   explicit System(SystemLayout layout);
   System(System&&) = default;
 
@@ -164,6 +170,11 @@ class System {
   /// Displacement (x, y, rotation) of a body's centre per load (force x, y, moment) there, about
   /// the last linearization; zero for a body that is held.
   Eigen::Matrix3d body_compliance(std::size_t body) const;
+  /// Displacements (x, y, rotation) of points fixed to bodies, three rows per place, per load
+  /// (force x, y, moment) at each of them, three columns per place, about the last linearization
+  /// at z, with whatever is prescribed let go under its reaction. Empty where that is singular.
+  Eigen::MatrixXd place_compliance(std::span<const Place> places,
+                                   const std::vector<double>& z) const;
   /// Force x, y and moment about its centre that a body needs to stay at its pose.
   Eigen::Vector3d reaction(std::size_t body, const std::vector<double>& z) const;
   double mean_length() const { return length_; }

@@ -86,4 +86,35 @@ void System::critical_direction(std::vector<double>& direction) const {
   direction = critical_directions(1).front();
 }
 
+/// The reduced matrix of the last linearization without the rows of reactions.
+Eigen::MatrixXd System::place_compliance(std::span<const Place> places,
+                                         const std::vector<double>& z) const {
+  const auto moving = static_cast<Eigen::Index>(moving_);
+  const auto primary = static_cast<Eigen::Index>(primary_);
+  const Eigen::Index kept = reduced_ - primary;
+  const Eigen::Index n = moving + kept;
+  Eigen::MatrixXd stiffness(n, n);
+  stiffness.topLeftCorner(moving, moving) = tangent_.topLeftCorner(moving, moving);
+  stiffness.bottomRightCorner(kept, kept) = tangent_.block(primary, primary, kept, kept);
+  stiffness.topRightCorner(moving, kept) = tangent_.block(0, primary, moving, kept);
+  stiffness.bottomLeftCorner(kept, moving) = tangent_.block(primary, 0, kept, moving);
+
+  const auto columns = static_cast<Eigen::Index>(3 * places.size());
+  Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(n, columns);  // of the places by the unknowns
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const BodyIndex& index = bodies_[places[p].body];
+    if (index.position < 0) continue;
+    const auto c = static_cast<Eigen::Index>(3 * p);
+    const double turn = layout_.linearised ? 0.0 : pose(places[p].body, z).rotation;
+    const Vec2 arm = rotate(turn, places[p].drawn - layout_.bodies[places[p].body].centre);
+    motion(index.position, c) = motion(index.position + 1, c + 1) = scale_[index.position];
+    if (index.rotation < 0) continue;
+    motion.row(index.rotation).segment<3>(c) =
+        scale_[index.rotation] * Eigen::RowVector3d(-arm.y, arm.x, 1.0);
+  }
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(stiffness);
+  if (n == 0 || !lu.isInvertible()) return {};
+  return motion.transpose() * lu.solve(motion);
+}
+
 }  // namespace flexura

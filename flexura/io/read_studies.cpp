@@ -121,6 +121,33 @@ void read_control(Reading& reading, TableReader& table, PathStudy& study) {
   }
 }
 
+StageSettings read_stage(Reading& reading, const Place& place, const StudyNames& names) {
+  TableReader table(reading, place, vocabulary::stage());
+  StageSettings stage;
+  stage.output.body = NameIndex::none;
+  if (const auto on = table.require("on")) read_target(reading, *on, names, stage.output);
+  if (table.has("along")) stage.output.along = table.vector("along", dimensions::number, {});
+  if (const auto input = table.find("input")) {
+    stage.input = DirectedPlace{NameIndex::none, {}, {}};
+    read_target(reading, *input, names, *stage.input);
+    if (table.has("input_along"))
+      stage.input->along = table.vector("input_along", dimensions::number, {});
+  } else if (const auto along = table.find("input_along")) {
+    reading.report_key(place.path, "input_along", along->node->position, "this needs an input");
+  }
+  return stage;
+}
+
+std::vector<std::size_t> read_condense(Reading& reading, const Place& place,
+                                       const StudyNames& names) {
+  std::vector<std::size_t> bodies;
+  for (const Place& entry : read_list(reading, place, "bodies")) {
+    const auto name = read_text(reading, entry);
+    bodies.push_back(name ? names.body_names.resolve(reading, entry, *name) : NameIndex::none);
+  }
+  return bodies;
+}
+
 PathStudy read_path(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::path_study());
   PathStudy study;
@@ -134,6 +161,9 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
   if (loads) study.loads = read_loads(reading, *loads, names);
   study.steps = table.integer("steps", study.steps);
   read_control(reading, table, study);
+  if (const auto stage = table.find("stage")) study.stage = read_stage(reading, *stage, names);
+  if (const auto condense = table.find("condense"))
+    study.condense = read_condense(reading, *condense, names);
   read_modelings_of(reading, table, study);
   return study;
 }

@@ -99,8 +99,13 @@ const Vocabulary& linear_study() {
 
 const Vocabulary& path_study() {
   static const Vocabulary v{{"kind", "loads", "prescribe", "control", "until", "branch", "steps",
-                             "modelings", "reference"},
+                             "stage", "condense", "modelings", "reference"},
                             {}};
+  return v;
+}
+
+const Vocabulary& stage() {
+  static const Vocabulary v{{"on", "along", "input", "input_along"}, {}};
   return v;
 }
 

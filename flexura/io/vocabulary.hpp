@@ -33,6 +33,7 @@ const Vocabulary& axis();
 const Vocabulary& arc();
 const Vocabulary& linear_study();
 const Vocabulary& path_study();
+const Vocabulary& stage();
 const Vocabulary& buckling_study();
 const Vocabulary& inverse_study();
 const Vocabulary& load();

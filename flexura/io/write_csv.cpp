@@ -149,6 +149,57 @@ CsvText make_members_csv(const PathResult& path, const ModelingPath& modeling) {
   return std::move(csv).result();
 }
 
+CsvText make_stage_csv(const ModelingPath& modeling) {
+  CsvWriter csv({"step",
+                 "load_factor",
+                 "k_xx",
+                 "k_xy",
+                 "k_xr",
+                 "k_yx",
+                 "k_yy",
+                 "k_yr",
+                 "k_rx",
+                 "k_ry",
+                 "k_rr",
+                 "stiff",
+                 "soft",
+                 "ratio",
+                 "soft_direction",
+                 "along",
+                 "across",
+                 "rotation",
+                 "centre_x",
+                 "centre_y",
+                 "centre_drift",
+                 "geometric_advantage",
+                 "mechanical_advantage"});
+  const auto optional = [&](const std::optional<double>& value) {
+    value ? csv.number(*value) : csv.word("");
+  };
+  for (std::size_t k = 0; k < modeling.stage.size(); ++k) {
+    csv.word(std::to_string(k)).number(modeling.states[k].load_factor);
+    const std::optional<StageState>& state = modeling.stage[k];
+    for (std::size_t i = 0; i < 9; ++i)
+      optional(state ? std::optional(state->stiffness[i]) : std::nullopt);
+    optional(state ? std::optional(state->stiff) : std::nullopt);
+    optional(state ? std::optional(state->soft) : std::nullopt);
+    optional(state && state->soft != 0.0 ? std::optional(state->stiff / state->soft)
+                                         : std::nullopt);
+    optional(state ? std::optional(state->soft_direction) : std::nullopt);
+    optional(state ? std::optional(state->along) : std::nullopt);
+    optional(state ? std::optional(state->across) : std::nullopt);
+    optional(state ? std::optional(state->rotation) : std::nullopt);
+    const bool turns = state && state->instant_centre;
+    optional(turns ? std::optional(state->instant_centre->x) : std::nullopt);
+    optional(turns ? std::optional(state->instant_centre->y) : std::nullopt);
+    optional(turns ? std::optional(state->centre_drift) : std::nullopt);
+    optional(state ? state->geometric_advantage : std::nullopt);
+    optional(state ? state->mechanical_advantage : std::nullopt);
+    csv.end_row();
+  }
+  return std::move(csv).result();
+}
+
 CsvText make_buckling_csv(const ModelingModes& modes) {
   CsvWriter csv({"mode", "load_factor"});
   for (std::size_t k = 0; k < modes.modes.size(); ++k) {

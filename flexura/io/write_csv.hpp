@@ -21,6 +21,9 @@ CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling);
 /// flexure, s, x, y, rotation, axial_force, shear_force, bending_moment, stress of the last state.
 CsvText make_members_csv(const PathResult& path, const ModelingPath& modeling);
 
+/// What the stage does in every state (see StageState); a cell without a value stays empty.
+CsvText make_stage_csv(const ModelingPath& modeling);
+
 /// mode, load_factor.
 CsvText make_buckling_csv(const ModelingModes& modes);
 

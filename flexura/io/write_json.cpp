@@ -225,4 +225,28 @@ std::string make_ellipse_json(const Result& result, const StudyResult& study,
   return text_of(json);
 }
 
+std::string make_stiffness_json(const Result& result, const PathResult& path,
+                                const ModelingPath& modeling) {
+  Json json = {{"modeling", modeling.modeling},
+               {"version", result.version},
+               {"units", units_json(result)},
+               {"bodies", path.condensed},
+               {"order",
+                {{"load", {"force_x", "force_y", "moment"}},
+                 {"displacement", {"displacement_x", "displacement_y", "rotation"}}}},
+               {"states", Json::array()}};
+  const std::size_t n = 3 * path.condensed.size();
+  for (const CondensedStiffness& condensed : modeling.condensed) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < n; ++i) {
+      Json row = Json::array();
+      for (std::size_t j = 0; j < n; ++j) row.push_back(condensed.matrix[i * n + j]);
+      rows.push_back(std::move(row));
+    }
+    json["states"].push_back(
+        {{"load_factor", condensed.load_factor}, {"stiffness", std::move(rows)}});
+  }
+  return text_of(json);
+}
+
 }  // namespace flexura

@@ -14,4 +14,8 @@ std::string make_summary_json(const Result& result);
 std::string make_ellipse_json(const Result& result, const StudyResult& study,
                               const LinearResult& linear);
 
+/// Text of `<label>.stiffness.json`: the condensed stiffness of chosen bodies.
+std::string make_stiffness_json(const Result& result, const PathResult& path,
+                                const ModelingPath& modeling);
+
 }  // namespace flexura

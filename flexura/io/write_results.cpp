@@ -79,6 +79,13 @@ void FileList::add_study(const Result& result, const StudyResult& study) {
     if (!modeling.members.empty()) {
       add(folder / (modeling.label + ".members.csv"), make_members_csv(path, modeling));
     }
+    if (!modeling.stage.empty()) {
+      add(folder / (modeling.label + ".stage.csv"), make_stage_csv(modeling));
+    }
+    if (!path.condensed.empty()) {
+      add(folder / (modeling.label + ".stiffness.json"),
+          make_stiffness_json(result, path, modeling));
+    }
   }
 }
 

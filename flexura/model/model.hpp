@@ -125,6 +125,20 @@ struct BranchSwitch {
   int side = 1;  ///< 1 or -1
 };
 
+/// A body, or one of its points, and a direction there.
+struct DirectedPlace {
+  std::size_t body = 0;
+  std::optional<std::size_t> point;
+  std::optional<Vec2> along;
+};
+
+/// What a designer reads off a stage along a path: `output` is the place that is to move along a
+/// direction (by default the one in which it sets off), `input` the one that drives it.
+struct StageSettings {
+  DirectedPlace output;
+  std::optional<DirectedPlace> input;
+};
+
 /// Study `path`: the equilibria as all loads and prescribed displacements grow together, in `steps`
 /// equal steps of the load factor from 0 to 1.
 struct PathStudy {
@@ -134,6 +148,8 @@ struct PathStudy {
   bool arc_length = false;
   PathEnd until;
   std::optional<BranchSwitch> branch;
+  std::optional<StageSettings> stage;
+  std::vector<std::size_t> condense;  ///< bodies whose condensed stiffness is wanted
   int steps = 20;
   std::vector<ModelingSettings> modelings;
   std::size_t reference = 0;  ///< index into modelings: what the others are compared with

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "flexura/model/rules.hpp"
 
 namespace flexura {
@@ -87,7 +90,31 @@ struct StudyRules {
     check_prescribed(model, study.prescribe, path, mistakes);
     mistakes.require_between(path / "steps", study.steps, 1, most_steps);
     if (study.arc_length) check_arc_length(study);
+    if (study.stage) check_stage(*study.stage);
+    for (std::size_t i = 0; i < study.condense.size(); ++i) {
+      const std::size_t body = study.condense[i];
+      if (body < model.bodies.size() && model.bodies[body].fixed)
+        mistakes.add(path / "condense" / i, fmt::format("body '{}' is fixed: it has no stiffness",
+                                                        model.bodies[body].name));
+      if (std::count(study.condense.begin(), study.condense.end(), body) > 1)
+        mistakes.add(path / "condense" / i, "every body once");
+    }
     check_modelings(model, study.modelings, study.reference, path, mistakes);
+  }
+
+  void check_stage(const StageSettings& stage) const {
+    const auto check = [&](const DirectedPlace& place, const char* on, const char* along) {
+      if (place.body >= model.bodies.size()) {
+        mistakes.add(path / "stage" / on, fmt::format("there is no body number {}", place.body));
+      } else if (model.bodies[place.body].fixed) {
+        mistakes.add(path / "stage" / on, fmt::format("body '{}' is fixed: it cannot move",
+                                                      model.bodies[place.body].name));
+      }
+      if (place.along && !(norm(*place.along) > 0.0 && std::isfinite(norm(*place.along))))
+        mistakes.add(path / "stage" / along, "a direction needs a length that is not zero");
+    };
+    check(stage.output, "on", "along");
+    if (stage.input) check(*stage.input, "input", "input_along");
   }
 
   void check_arc_length(const PathStudy& study) const {

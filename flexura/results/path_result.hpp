@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,33 @@ struct MemberStation {
 struct Reaction {
   Vec2 force;
   double moment = 0.0;
+};
+
+/// What a stage's output place does in one state: about it, how stiff it is, and where it is going.
+struct StageState {
+  /// Force x, y and moment at the place per displacement x, y and rotation there, row by row.
+  std::array<double, 9> stiffness{};
+  /// Largest and smallest stiffness against a force there, its rotation free, and the direction
+  /// (radians) of the smallest.
+  double stiff = 0.0;
+  double soft = 0.0;
+  double soft_direction = 0.0;
+  std::optional<Vec2> instant_centre;  ///< of its body's motion along the path; none: translation
+  double centre_drift = 0.0;           ///< distance of the instant centre from the path's first
+  double along = 0.0;                  ///< displacement in its direction, and parasitic: across
+  double across = 0.0;
+  double rotation = 0.0;
+  /// Displacement of the output per displacement of the input, and force on the blocked output per
+  /// force on the input; without an input, absent.
+  std::optional<double> geometric_advantage;
+  std::optional<double> mechanical_advantage;
+};
+
+/// Stiffness of chosen bodies at their centres, all else free to follow: rows force x, y, moment of
+/// each body in turn, columns displacement x, y, rotation, row by row.
+struct CondensedStiffness {
+  double load_factor = 0.0;
+  std::vector<double> matrix;
 };
 
 /// One equilibrium. The vectors run in the order of PathResult's names.
@@ -69,6 +97,8 @@ struct ModelingPath {
   /// Of paths that a single displacement or rotation drives without loads, or that were followed by
   /// arc length.
   std::vector<ReactionEvent> reaction_events;
+  std::vector<std::optional<StageState>> stage;  ///< per state, where a stage is asked for
+  std::vector<CondensedStiffness> condensed;     ///< at the first and the last state
   int unknowns = 0;
   int steps = 0;       ///< converged load steps, intermediate ones included
   int iterations = 0;  ///< Newton iterations in all
@@ -93,6 +123,8 @@ struct PathResult {
   std::vector<std::string> points;  ///< "body.point", of moving bodies
   std::vector<std::string> flexures;
   std::vector<std::optional<double>> strengths;  ///< of the flexures' materials
+  std::string stage;                             ///< the stage's output place, if asked for
+  std::vector<std::string> condensed;            ///< bodies of the condensed stiffness, in order
   std::vector<HeldPlace> held;                   ///< what the reactions of all states belong to
   std::vector<ModelingPath> modelings;
   std::size_t reference = 0;  ///< index into modelings

@@ -69,7 +69,8 @@ class Continuation {
  private:
   bool goes_on(const ArcState& next) const;
   bool locate_features(const ArcState& next, double size, int after);
-  bool locate_change(double size, ArcState& at);
+  bool locate_change(double size, ArcState& at, double& place);
+  bool changes_at_once(double place, double size, int after);
   bool locate_zero(double size, ArcState& at);
 
   Problem* problem_;
@@ -117,11 +118,6 @@ bool Continuation<Problem>::advance() {
       continue;
     }
     const int after = problem_->unstable_directions();
-    // so that each change of stability is found by itself, unless they coincide
-    if (std::abs(after - unstable_) > 1 && size_ > 1e-3 * options_.largest_step) {
-      size_ *= 0.5;
-      continue;
-    }
     features_.clear();
     if (!locate_features(next, size_, after)) {
       size_ *= 0.5;
@@ -145,7 +141,8 @@ bool Continuation<Problem>::locate_features(const ArcState& next, double size, i
     if (arc_.locate(here_, size, at))
       features_.push_back({PathFeature::limit_point, at, unstable_, after});
   } else if (after != unstable_) {
-    if (!locate_change(size, at)) return false;
+    double place = 0.0;
+    if (!locate_change(size, at, place) || !changes_at_once(place, size, after)) return false;
     features_.push_back({PathFeature::bifurcation, at, unstable_, after});
   }
   if (here_.load_factor * next.load_factor < 0.0) {
@@ -161,7 +158,7 @@ bool Continuation<Problem>::locate_features(const ArcState& next, double size, i
 /// Bisection on the arc length for the end of the stretch with as many unstable directions as at
 /// its start. At the change itself the equations are singular: failing there is as near as it gets.
 template <BranchingProblem Problem>
-bool Continuation<Problem>::locate_change(double size, ArcState& at) {
+bool Continuation<Problem>::locate_change(double size, ArcState& at, double& place) {
   double low = 0.0, high = size;
   ArcState at_low = here_, at_high = at;
   while (high - low > 1e-11 * size) {
@@ -176,7 +173,18 @@ bool Continuation<Problem>::locate_change(double size, ArcState& at) {
   std::vector<double> gap = at_high.z;
   add_scaled(gap, -1.0, at_low.z);
   const double apart = std::sqrt(problem_->inner(gap, gap));
+  place = high;
   return high - low < 1e-4 * size && apart < 1e-3 * size;
+}
+
+/// Whether all directions that a step gains or loses do so at the place located; else a shorter
+/// step will find them one by one.
+template <BranchingProblem Problem>
+bool Continuation<Problem>::changes_at_once(double place, double size, int after) {
+  if (std::abs(after - unstable_) < 2) return true;
+  ArcState beyond;
+  const double further = std::min(size, place + 1e-3 * size);
+  return !arc_.step(here_, further, beyond) || problem_->unstable_directions() == after;
 }
 
 /// The load factor's zero by regula falsi on the arc length, then by Newton at no load.

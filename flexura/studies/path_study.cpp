@@ -10,6 +10,7 @@
 #include "flexura/studies/prescribed.hpp"
 #include "flexura/studies/reaction_difference.hpp"
 #include "flexura/studies/reaction_events.hpp"
+#include "flexura/studies/stage_record.hpp"
 
 namespace flexura {
 namespace {
@@ -136,6 +137,7 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
     path.members = make_members(model, *traced.systems[last.system], last.z);
     path.error_estimate = relative_error(traced, path.states);
   }
+  add_stage_records(model, study, traced, path);
   path.reaction_events = study.arc_length && study.prescribe.empty()
                              ? load_events(model, traced)
                              : find_reaction_events(model, study, traced);

@@ -85,6 +85,10 @@ class Run {
  private:
   using KeepGoing = std::function<bool(double)>;
 
+  std::string place_name(const DirectedPlace& place) const {
+    const Body& body = model_.bodies[place.body];
+    return place.point ? body.name + "." + body.points[*place.point].name : body.name;
+  }
   void prepare(const LinearStudy& study, StudyResult& result) {
     result.kind = "linear";
     result.loads = make_drawn_loads(model_, study.loads);
@@ -95,6 +99,9 @@ class Run {
     PathResult path = make_path_names(model_);
     path.held = held_places(model_, study.prescribe);
     path.by_arc_length = study.arc_length;
+    if (study.stage) path.stage = place_name(study.stage->output);
+    for (const std::size_t body : study.condense)
+      path.condensed.push_back(model_.bodies[body].name);
     result.content = std::move(path);
   }
   void prepare(const BucklingStudy& study, StudyResult& result) {

@@ -10,7 +10,8 @@ const State = (() => {
   const ownSlots = { continuum: 0, exact: 1, scmbm: 2, prbm: 3, linear: 4, beam: 5 };
   const slotCount = 9;
   const slots = new Map();
-  const modelings = data.studies.flatMap((study) => (study.path ? study.path.modelings : []));
+  const modelings = data.studies.flatMap(
+    (study) => (study.path || study.modes || { modelings: [] }).modelings);
   for (const { label, modeling } of modelings) {
     if (slots.has(label)) continue;
     const taken = new Set(slots.values());
