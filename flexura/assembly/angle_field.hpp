@@ -25,6 +25,7 @@ struct AngleField {
     if (weights.size() % 2 == 0) return;
     weights.push_back(0.0);
     angles.push_back(0.0);
+    places.push_back(0.0);
     turns.resize(turns.size() + unknowns, 0.0);
   }
 
@@ -32,6 +33,7 @@ struct AngleField {
   std::vector<double> weights;
   std::vector<double> angles;     ///< theta0
   std::vector<double> turns;      ///< J, points x unknowns, row-major
+  std::vector<double> places;     ///< arc lengths
   std::vector<double> tip_turn;   ///< R
   std::vector<double> stiffness;  ///< S, unknowns x unknowns, row-major
   Vec2 offset;

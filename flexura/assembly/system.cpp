@@ -8,6 +8,8 @@ System::System(SystemLayout layout) : layout_(std::move(layout)) {
   for (const auto& body : layout_.bodies) held_.push_back({body.centre, 0.0});
   follower_ = !layout_.linearised && std::any_of(layout_.loads.begin(), layout_.loads.end(),
                                                  [](const auto& load) { return load.follower; });
+  for (const auto& member : layout_.members)
+    feels_surroundings_ = feels_surroundings_ || member.port->feels_surroundings();
   number_unknowns();
   const auto most = static_cast<Eigen::Index>(primary_ + 3 * members_.size());
   tangent_.setZero(most, most);
@@ -117,6 +119,10 @@ Pose System::base_section(std::size_t member, const std::vector<double>& z) cons
   return {moved_point(m.base, layout_.bodies[m.base].centre + m.arms.base, z), turn};
 }
 
+Surroundings System::surroundings(std::size_t member, const std::vector<double>& z) const {
+  return {base_section(member, z).rotation, load_factor_, layout_.linearised};
+}
+
 Eigen::Vector3d System::member_load(std::size_t member, const std::vector<double>& z) const {
   return Eigen::Map<const Eigen::Vector3d>(z.data() + members_[member].load);
 }
@@ -166,7 +172,7 @@ double System::load_displacement(const std::vector<double>& z) const {
   }
   for (std::size_t i = 0; i < layout_.prescribed.size(); ++i)
     work -= layout_.prescribed[i].value * prescribed_reaction(i, z);
-  return work;
+  return work + field_displacement_;
 }
 
 double System::stored_energy(const std::vector<double>& z) const {

@@ -153,6 +153,8 @@ class System {
   Vec2 moved_point(std::size_t body, Vec2 drawn, const std::vector<double>& z) const;
   /// Pose of the base section of a member: origin and axes of its sections.
   Pose base_section(std::size_t member, const std::vector<double>& z) const;
+  /// What the member's flexure feels at z and the load factor.
+  Surroundings surroundings(std::size_t member, const std::vector<double>& z) const;
   Eigen::Vector3d member_load(std::size_t member, const std::vector<double>& z) const;
   std::span<const double> internal(std::size_t member, const std::vector<double>& z) const;
   /// Force (or moment) that holds the i-th prescribed displacement (or rotation).
@@ -207,6 +209,7 @@ class System {
     RelativePose::Jacobian jacobian;
     Eigen::Vector3d gap;        // relative pose less tip: what is left to close
     Eigen::Matrix3d stiffness;  // inverse of the flexibility, where that is regular
+    FieldResponse field;        // where the flexure feels its surroundings
     int kept = -1;              // row of the load in the reduced matrix, -1 where eliminated
   };
 
@@ -215,6 +218,8 @@ class System {
   RelativePose relative_pose_of(std::size_t member, const std::vector<double>& z) const;
   void set_scale();
   bool add_member(std::size_t member, const std::vector<double>& z);
+  TipResponse respond(std::size_t member, const std::vector<double>& z);
+  void add_field_rate(std::size_t member);
   void keep_load(std::size_t member, const Eigen::Matrix3d& flexibility);
   void add_load(const SystemLayout::Load& load, const std::vector<double>& z);
   void add_prescribed(std::size_t i, const std::vector<double>& z);
@@ -223,7 +228,9 @@ class System {
   Eigen::Vector3d spring_reaction(std::size_t body, const std::vector<double>& z) const;
   bool factorize();
   void solve_scaled(Eigen::VectorXd& b) const;
-  void expand(const Eigen::VectorXd& reduced, bool with_residual, std::vector<double>& step) const;
+  /// What else an eliminated unknown follows, besides the reduced ones.
+  enum class Along { nothing, residual, load };
+  void expand(const Eigen::VectorXd& reduced, Along along, std::vector<double>& step) const;
 
   SystemLayout layout_;
   std::vector<BodyIndex> bodies_;
@@ -250,6 +257,8 @@ class System {
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   int eliminated_negative_ = 0;  // negative pivots of all that was eliminated
   double strain_energy_ = 0.0;
+  double field_displacement_ = 0.0;  // of dead loads along flexures, per load factor
+  bool feels_surroundings_ = false;
   double pivot_ratio_ = 0.0;
   mutable Eigen::VectorXd work_;
 };

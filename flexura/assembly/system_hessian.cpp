@@ -73,7 +73,7 @@ std::vector<std::vector<double>> System::critical_directions(int count) const {
     found.push_back(work_);
     work_.array() *= s;
     std::vector<double> direction;
-    expand(work_, false, direction);
+    expand(work_, Along::nothing, direction);
     const double size = std::sqrt(inner(direction, direction));
     if (size > 0.0)
       for (double& d : direction) d /= size;

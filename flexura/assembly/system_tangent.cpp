@@ -49,12 +49,45 @@ void System::keep_load(std::size_t member, const Eigen::Matrix3d& flexibility) {
   }
 }
 
+TipResponse System::respond(std::size_t member, const std::vector<double>& z) {
+  const MemberIndex& index = members_[member];
+  const TwoPort& port = *layout_.members[member].port;
+  const Eigen::Vector3d load = member_load(member, z);
+  const double* internal = z.data() + index.internal;
+  double* scratch = scratch_.data() + index.scratch;
+  if (!port.feels_surroundings()) return port.linearize(load, internal, scratch);
+  FieldResponse& field = tangents_[member].field;
+  field = {};
+  const TipResponse response =
+      port.linearize_in(surroundings(member, z), load, internal, scratch, field);
+  field_displacement_ -= field.by_factor;
+  return response;
+}
+
+/// What a growing load factor does through a flexure that feels it: added to the loads' rate, once
+/// the residual has been taken from that.
+void System::add_field_rate(std::size_t member) {
+  const MemberTangent& tangent = tangents_[member];
+  const MemberIndex& index = members_[member];
+  if (!layout_.members[member].port->feels_surroundings()) return;
+  const Eigen::Vector3d& tip = tangent.field.tip_by_factor;
+  const int turn = index.unknowns[PortUnknown::base_section];
+  if (turn >= 0) load_vector_[turn] -= tangent.field.turn_factor;
+  if (tangent.kept >= 0) {
+    load_vector_.segment<3>(tangent.kept) += tip;
+    return;
+  }
+  const Eigen::Matrix<double, port_unknowns, 1> force =
+      tangent.jacobian.transpose() * (tangent.stiffness * tip);
+  for (int i = 0; i < port_unknowns; ++i)
+    if (index.unknowns[i] >= 0) load_vector_[index.unknowns[i]] += force[i];
+}
+
 bool System::add_member(std::size_t member, const std::vector<double>& z) {
   const MemberIndex& index = members_[member];
   MemberTangent& tangent = tangents_[member];
   const Eigen::Vector3d load = member_load(member, z);
-  const TipResponse response = layout_.members[member].port->linearize(
-      load, z.data() + index.internal, scratch_.data() + index.scratch);
+  const TipResponse response = respond(member, z);
   if (response.singular || !response.tip.allFinite()) return false;
   eliminated_negative_ += response.negative;
   strain_energy_ += response.strain_energy;
@@ -70,11 +103,16 @@ bool System::add_member(std::size_t member, const std::vector<double>& z) {
   int negative = 0;
   RelativePose::Hessian stiffness = pose.hessian;
   Eigen::Matrix<double, port_unknowns, 1> force = pose.jacobian.transpose() * load;
+  if (layout_.members[member].port->feels_surroundings()) {
+    tangent.jacobian.col(PortUnknown::base_section) -= tangent.field.tip_by_turn;
+    stiffness(PortUnknown::base_section, PortUnknown::base_section) += tangent.field.turn_turn;
+    force[PortUnknown::base_section] += tangent.field.by_turn;
+  }
   if (invert(flexibility, tangent.stiffness, negative)) {
     tangent.stiffness = s.asDiagonal() * tangent.stiffness * s.asDiagonal();
     eliminated_negative_ += 3 - negative;  // of minus the flexibility
-    const RelativePose::Jacobian kj = tangent.stiffness * pose.jacobian;
-    stiffness.noalias() += pose.jacobian.transpose() * kj;
+    const RelativePose::Jacobian kj = tangent.stiffness * tangent.jacobian;
+    stiffness.noalias() += tangent.jacobian.transpose() * kj;
     force.noalias() += kj.transpose() * tangent.gap;
   } else {
     keep_load(member, response.flexibility);
@@ -146,12 +184,15 @@ bool System::linearize(const std::vector<double>& z) {
   load_vector_.setZero();
   eliminated_negative_ = 0;
   strain_energy_ = 0.0;
+  field_displacement_ = 0.0;
   for (std::size_t k = 0; k < members_.size(); ++k)
     if (!add_member(k, z)) return false;
   for (const auto& spring : layout_.springs) add_spring(spring, z);
   for (const auto& load : layout_.loads) add_load(load, z);
   for (std::size_t i = 0; i < layout_.prescribed.size(); ++i) add_prescribed(i, z);
   residual_.head(reduced_) -= load_factor_ * load_vector_.head(reduced_);
+  if (feels_surroundings_)
+    for (std::size_t k = 0; k < members_.size(); ++k) add_field_rate(k);
   return residual_.head(reduced_).allFinite() && factorize();
 }
 
@@ -179,8 +220,9 @@ void System::solve_scaled(Eigen::VectorXd& b) const {
   b.array() *= scale_.head(reduced_).array();
 }
 
-void System::expand(const Eigen::VectorXd& reduced, bool with_residual,
-                    std::vector<double>& step) const {
+void System::expand(const Eigen::VectorXd& reduced, Along along, std::vector<double>& step) const {
+  const double residual = along == Along::residual ? 1.0 : 0.0;
+  const double growth = along == Along::load ? 1.0 : 0.0;
   step.resize(size_);
   std::copy_n(reduced.data(), primary_, step.begin());
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -190,8 +232,7 @@ void System::expand(const Eigen::VectorXd& reduced, bool with_residual,
     if (tangent.kept >= 0) {
       load = reduced.segment<3>(tangent.kept);
     } else {
-      Eigen::Vector3d closing =
-          with_residual ? tangent.gap : Eigen::Vector3d(Eigen::Vector3d::Zero());
+      Eigen::Vector3d closing = residual * tangent.gap - growth * tangent.field.tip_by_factor;
       for (int i = 0; i < port_unknowns; ++i)
         if (index.unknowns[i] >= 0) closing += tangent.jacobian.col(i) * reduced[index.unknowns[i]];
       load = tangent.stiffness * closing;
@@ -199,16 +240,19 @@ void System::expand(const Eigen::VectorXd& reduced, bool with_residual,
     const std::size_t m = layout_.members[k].port->internal_size();
     const double* u = scratch_.data() + index.scratch;
     double* out = step.data() + index.internal;
-    const double residual = with_residual ? 1.0 : 0.0;
     for (std::size_t i = 0; i < m; ++i, u += 4)
       out[i] = -residual * u[0] - u[1] * load[0] - u[2] * load[1] - u[3] * load[2];
+    if (!layout_.members[k].port->feels_surroundings()) continue;
+    const int own = index.unknowns[PortUnknown::base_section];
+    const double turn = own >= 0 ? reduced[own] : 0.0;
+    for (std::size_t i = 0; i < m; ++i, u += 4) out[i] -= u[0] * turn + u[1] * growth;
   }
 }
 
 double System::newton_step(std::vector<double>& step) const {
   work_ = -residual_.head(reduced_);
   solve_scaled(work_);
-  expand(work_, true, step);
+  expand(work_, Along::residual, step);
   const auto moving = static_cast<Eigen::Index>(moving_);
   double size = work_.head(moving).cwiseProduct(step_weight_).lpNorm<Eigen::Infinity>();
   const std::size_t first_internal = primary_ + 3 * members_.size();
@@ -219,7 +263,7 @@ double System::newton_step(std::vector<double>& step) const {
 void System::load_direction(std::vector<double>& direction) const {
   work_ = load_vector_.head(reduced_);
   solve_scaled(work_);
-  expand(work_, false, direction);
+  expand(work_, Along::load, direction);
 }
 
 int System::unstable_directions() const {

@@ -25,6 +25,21 @@ void add_eliminated(std::size_t m, const double* coupling, const double* solved,
   }
 }
 
+void add_eliminated_field(std::size_t m, const double* coupling, const double* solved,
+                          const double* field_coupling, const double* field_solved,
+                          FieldResponse& field) {
+  for (std::size_t i = 0; i < m; ++i) {
+    const Eigen::Map<const Eigen::Vector3d> w(coupling + 4 * i + 1);
+    const double* c = field_coupling + 4 * i;
+    const double* z = field_solved + 4 * i;
+    field.by_turn -= c[0] * solved[4 * i];
+    field.tip_by_turn += z[0] * w;
+    field.tip_by_factor += z[1] * w;
+    field.turn_turn -= c[0] * z[0];
+    field.turn_factor -= c[0] * z[1];
+  }
+}
+
 Eigen::MatrixXd port_hessian(const double* columns, const BandLayout& layout, const double* tangent,
                              const Eigen::Matrix3d& by_load) {
   const std::size_t m = layout.n;

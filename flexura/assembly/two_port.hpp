@@ -30,6 +30,26 @@ struct TipResponse {
   bool singular = false;
 };
 
+/// What a flexure feels besides the load on its tip. Dead loads along it and temperature grow with
+/// the load factor; dead loads keep their direction while its base section turns.
+struct Surroundings {
+  double turn = 0.0;  ///< of the base section since the start
+  double load_factor = 0.0;
+  bool linearised = false;  ///< small displacements: `turn` to first order
+};
+
+/// The rest of what a flexure answers that feels its surroundings, internal unknowns eliminated:
+/// the first derivatives of W by turn and load factor, and its second ones, W_load,turn being minus
+/// d(tip)/d(turn).
+struct FieldResponse {
+  double by_turn = 0.0;
+  double by_factor = 0.0;
+  Eigen::Vector3d tip_by_turn = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tip_by_factor = Eigen::Vector3d::Zero();
+  double turn_turn = 0.0;
+  double turn_factor = 0.0;
+};
+
 /// How a modeling stores energy in one flexure. The flexure is a cantilever held by its base body;
 /// the load its action body puts on the tip is an unknown of the mechanism, and closing the tip
 /// onto the action body is that unknown's equation. So compliances may vanish (inextensible,
@@ -52,6 +72,17 @@ class TwoPort {
   virtual TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                                 double* scratch) const = 0;
 
+  /// Whether the flexure carries loads along its length, or its temperature changes.
+  virtual bool feels_surroundings() const { return false; }
+  /// `linearize` where it does. The second 4 m doubles of scratch then hold, row by row, the
+  /// columns of Z by turn and load factor, and two that are not used. `by_factor` is the partial
+  /// derivative at the internal unknowns given.
+  virtual TipResponse linearize_in(const Surroundings& /*surroundings*/,
+                                   const Eigen::Vector3d& load, const double* internal,
+                                   double* scratch, FieldResponse& /*field*/) const {
+    return linearize(load, internal, scratch);
+  }
+
   /// Second derivatives of W by (internal, load), m + 3 of each, where nothing is eliminated.
   virtual Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const = 0;
 
@@ -59,6 +90,12 @@ class TwoPort {
   /// number.
   virtual std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                              std::span<const double> internal) const = 0;
+  /// The same where the flexure feels its surroundings.
+  virtual std::vector<SectionState> sections_in(const Surroundings& /*surroundings*/,
+                                                const Eigen::Vector3d& load,
+                                                std::span<const double> internal) const {
+    return sections(load, internal);
+  }
 
   /// Polyline to draw of the flexure in a state, given its `sections`: by default through them.
   virtual std::vector<Vec2> drawn_axis(std::span<const SectionState> sections,
@@ -77,6 +114,13 @@ class TwoPort {
 /// each of the m unknowns, `solved` the same times the inverse of W_yy.
 void add_eliminated(std::size_t m, const double* coupling, const double* solved,
                     TipResponse& response);
+
+/// Likewise for the derivatives by turn and load factor: `field_coupling` holds W_y,turn and
+/// W_y,factor (and two zeros) of each unknown, `field_solved` the same times the inverse of W_yy.
+/// `field` holds the partial derivatives of W on entry, those by turn and factor of minus the tip.
+void add_eliminated_field(std::size_t m, const double* coupling, const double* solved,
+                          const double* field_coupling, const double* field_solved,
+                          FieldResponse& field);
 
 /// TwoPort::hessian from W_y and W_y,load of each unknown, the lower triangle of W_yy and
 /// W_load,load.

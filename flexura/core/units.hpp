@@ -28,6 +28,8 @@ inline constexpr Dimension time{0, 0, 1, 0};
 inline constexpr Dimension angle{0, 0, 0, 1};
 inline constexpr Dimension force{1, 1, -2, 0};
 inline constexpr Dimension moment{2, 1, -2, 0};
+inline constexpr Dimension force_per_length{0, 1, -2, 0};
+inline constexpr Dimension acceleration{1, 0, -2, 0};
 inline constexpr Dimension stress{-1, 1, -2, 0};
 inline constexpr Dimension density{-3, 1, 0, 0};
 inline constexpr Dimension inertia{2, 1, 0, 0};

@@ -30,10 +30,10 @@ struct SectionStiffness {
 /// position by the arc length of the undeformed axis, the angle theta of the section's normal
 /// direction, and the curvature change kappa. `stretch` is the length of (dx, dy) at rest: 1 on the
 /// true axis, a little less on an interpolated one.
-template <class Scalar>
+template <class Scalar, class Stretch>
 Scalar reissner_strain_energy(const Scalar& dx, const Scalar& dy, const Scalar& theta,
                               const Scalar& kappa, const SectionStiffness& section,
-                              double stretch = 1.0) {
+                              const Stretch& stretch) {
   const auto [along, gamma] = in_turned_axes(theta, dx, dy);
   return half_square(section.axial, along - stretch) + half_square(section.shear, gamma) +
          half_square(section.bending, kappa);

@@ -79,6 +79,7 @@ std::vector<Material> read_materials(Reading& reading, const Place& place) {
     material.poissons_ratio = table.required_quantity("poissons_ratio", dimensions::number);
     material.density = table.optional_quantity("density", dimensions::density);
     material.strength = table.optional_quantity("strength", dimensions::stress);
+    material.thermal_expansion = table.optional_quantity("thermal_expansion", dimensions::number);
     materials.push_back(std::move(material));
   }
   return materials;

@@ -19,10 +19,44 @@ Load read_load(Reading& reading, const Place& place, const StudyNames& names) {
     reading.report(place.path, place.node->position,
                    "a load needs force = [x, y] or moment = .. (or both)");
   }
+  if (const auto spread = table.find("distributed"))
+    reading.report_key(place.path, "distributed", spread->node->position,
+                       "distributed loads belong to studies of kind path");
   load.force = table.vector("force", dimensions::force, {});
   load.moment = table.quantity("moment", dimensions::moment, 0.0);
   load.follower = table.boolean("follower", false);
   return load;
+}
+
+/// A load whose `distributed` force acts along a flexure.
+SpreadLoad read_spread(Reading& reading, const Place& place, const StudyNames& names) {
+  TableReader table(reading, place, vocabulary::load());
+  SpreadLoad load{NameIndex::none, {}};
+  if (const auto on = table.require("on")) {
+    const auto name = read_text(reading, *on);
+    if (name) load.flexure = names.flexure_names.resolve(reading, *on, *name);
+  }
+  for (const char* key : {"force", "moment", "follower"}) {
+    if (const auto other = table.find(key))
+      reading.report_key(place.path, key, other->node->position,
+                         "a distributed load acts along a flexure and keeps its direction: give "
+                         "other loads an entry of their own");
+  }
+  load.per_length = table.vector("distributed", dimensions::force_per_length, {});
+  return load;
+}
+
+/// Loads on bodies, and the distributed ones among them on flexures.
+std::vector<Load> read_path_loads(Reading& reading, const Place& place, const StudyNames& names,
+                                  FieldLoads& fields) {
+  std::vector<Load> loads;
+  for (const Place& entry : read_list(reading, place, "loads")) {
+    if (entry.node->find("distributed"))
+      fields.spread.push_back(read_spread(reading, entry, names));
+    else
+      loads.push_back(read_load(reading, entry, names));
+  }
+  return loads;
 }
 
 std::vector<Load> read_loads(Reading& reading, const Place& place, const StudyNames& names) {
@@ -157,8 +191,11 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
       study.prescribe.push_back(read_prescribed(reading, entry, names));
     }
   }
-  const auto loads = prescribe ? table.find("loads") : table.require("loads");
-  if (loads) study.loads = read_loads(reading, *loads, names);
+  const bool other = prescribe || table.has("gravity") || table.has("temperature");
+  const auto loads = other ? table.find("loads") : table.require("loads");
+  if (loads) study.loads = read_path_loads(reading, *loads, names, study.fields);
+  study.fields.gravity = table.vector("gravity", dimensions::acceleration, {});
+  study.fields.temperature = table.quantity("temperature", dimensions::number, 0.0);
   study.steps = table.integer("steps", study.steps);
   read_control(reading, table, study);
   if (const auto stage = table.find("stage")) study.stage = read_stage(reading, *stage, names);

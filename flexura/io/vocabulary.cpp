@@ -17,7 +17,8 @@ const Vocabulary& units() {
 }
 
 const Vocabulary& material() {
-  static const Vocabulary v{{"youngs_modulus", "poissons_ratio", "density", "strength"}, {}};
+  static const Vocabulary v{
+      {"youngs_modulus", "poissons_ratio", "density", "strength", "thermal_expansion"}, {}};
   return v;
 }
 
@@ -98,9 +99,10 @@ const Vocabulary& linear_study() {
 }
 
 const Vocabulary& path_study() {
-  static const Vocabulary v{{"kind", "loads", "prescribe", "control", "until", "branch", "steps",
-                             "stage", "condense", "modelings", "reference"},
-                            {}};
+  static const Vocabulary v{
+      {"kind", "loads", "gravity", "temperature", "prescribe", "control", "until", "branch",
+       "steps", "stage", "condense", "modelings", "reference"},
+      {}};
   return v;
 }
 
@@ -120,7 +122,8 @@ const Vocabulary& inverse_study() {
 }
 
 const Vocabulary& load() {
-  static const Vocabulary v{{"on", "force", "moment", "follower"}, {"history", "angle"}};
+  static const Vocabulary v{{"on", "force", "moment", "follower", "distributed"},
+                            {"history", "angle"}};
   return v;
 }
 

@@ -18,6 +18,8 @@ void check_material(const Material& material, Mistakes& mistakes) {
                  fmt::format("must be greater than -1 and at most 0.5, is {}", nu));
   }
   if (material.density) mistakes.require_positive(path / "density", *material.density);
+  if (material.thermal_expansion)
+    mistakes.require_finite(path / "thermal_expansion", *material.thermal_expansion);
   if (material.strength) mistakes.require_positive(path / "strength", *material.strength);
 }
 

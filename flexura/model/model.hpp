@@ -31,6 +31,7 @@ struct Material {
   std::optional<double> density;
   std::optional<double> strength;  ///< the largest fibre stress allowed
   SourcePosition source;
+  std::optional<double> thermal_expansion = {};  ///< strain per degree
 };
 
 struct NamedSection {
@@ -92,6 +93,21 @@ struct Load {
   bool follower = false;
 };
 
+/// A dead force per length along a flexure's undeformed axis.
+struct SpreadLoad {
+  std::size_t flexure = 0;
+  Vec2 per_length;
+};
+
+/// What acts along flexures and on masses, growing with the loads.
+struct FieldLoads {
+  std::vector<SpreadLoad> spread;
+  Vec2 gravity;              ///< acceleration of all mass
+  double temperature = 0.0;  ///< change, of all flexures
+
+  bool act() const { return !spread.empty() || norm(gravity) > 0.0 || temperature != 0.0; }
+};
+
 /// A displacement or rotation of a body, at one of its points or, without one, at its centre, that
 /// is imposed instead of a load. Components left out are free.
 struct Prescribed {
@@ -143,6 +159,7 @@ struct StageSettings {
 /// equal steps of the load factor from 0 to 1.
 struct PathStudy {
   std::vector<Load> loads;
+  FieldLoads fields;
   std::vector<Prescribed> prescribe;
   /// With arc length, states are those the continuation took, none longer than 2/steps.
   bool arc_length = false;

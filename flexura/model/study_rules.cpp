@@ -84,8 +84,9 @@ struct StudyRules {
   void operator()(const LinearStudy& study) const { check_loads(study.loads); }
 
   void operator()(const PathStudy& study) const {
-    if (study.loads.empty() && study.prescribe.empty())
+    if (study.loads.empty() && study.prescribe.empty() && !study.fields.act())
       mistakes.add(path / "loads", "a path needs a load, or something to prescribe");
+    check_fields(study);
     check_loads(study.loads);
     check_prescribed(model, study.prescribe, path, mistakes);
     mistakes.require_between(path / "steps", study.steps, 1, most_steps);
@@ -100,6 +101,44 @@ struct StudyRules {
         mistakes.add(path / "condense" / i, "every body once");
     }
     check_modelings(model, study.modelings, study.reference, path, mistakes);
+  }
+
+  /// What acts along flexures needs their density or expansion, and a modeling that carries it.
+  void check_fields(const PathStudy& study) const {
+    const FieldLoads& fields = study.fields;
+    for (const SpreadLoad& load : fields.spread) {
+      if (load.flexure >= model.flexures.size())
+        mistakes.add(path / "loads", fmt::format("there is no flexure number {}", load.flexure));
+      mistakes.require_finite(path / "loads", load.per_length);
+    }
+    mistakes.require_finite(path / "gravity", fields.gravity);
+    mistakes.require_finite(path / "temperature", fields.temperature);
+    for (const Flexure& flexure : model.flexures) {
+      if (flexure.material >= model.materials.size()) continue;
+      const Material& material = model.materials[flexure.material];
+      if (norm(fields.gravity) > 0.0 && !material.density)
+        mistakes.add(path / "gravity", fmt::format("material '{}' of flexure '{}' needs a density",
+                                                   material.name, flexure.name));
+      if (fields.temperature != 0.0 && !material.thermal_expansion)
+        mistakes.add(path / "temperature",
+                     fmt::format("material '{}' of flexure '{}' needs a thermal_expansion",
+                                 material.name, flexure.name));
+    }
+    if (!fields.act()) return;
+    for (std::size_t m = 0; m < study.modelings.size(); ++m)
+      if (!carries_fields(study.modelings[m]))
+        mistakes.add(path / "modelings" / m,
+                     fmt::format("modeling '{}' carries no loads along its flexures and knows no "
+                                 "temperature: linear, scmbm and exact do, and beam of theory "
+                                 "exact with axial and shear strain",
+                                 modeling_name(study.modelings[m])));
+  }
+
+  static bool carries_fields(const ModelingSettings& settings) {
+    if (const auto* beam = std::get_if<BeamSettings>(&settings.kind))
+      return beam->theory == BeamSettings::Theory::exact && settings.axial && settings.shear;
+    return !std::holds_alternative<PrbmSettings>(settings.kind) &&
+           !std::holds_alternative<BcmSettings>(settings.kind);
   }
 
   void check_stage(const StageSettings& stage) const {

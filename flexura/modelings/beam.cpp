@@ -11,9 +11,9 @@ namespace {
 struct ReissnerDensity {
   SectionStiffness section;
 
-  template <class Scalar>
+  template <class Scalar, class Stretch>
   Scalar operator()(const Scalar& dx, const Scalar& dy, const Scalar& theta, const Scalar& kappa,
-                    double stretch) const {
+                    const Stretch& stretch) const {
     return reissner_strain_energy(dx, dy, theta, kappa, section, stretch);
   }
 };

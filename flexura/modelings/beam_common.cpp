@@ -60,6 +60,63 @@ void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3
   }
 }
 
+DeadLoad dead_load_on(const BeamMesh& mesh, const FlexureProperties& flexure) {
+  DeadLoad dead;
+  dead.nodal.assign(mesh.nodes() - 1, Vec2{});
+  const Vec2 start = flexure.axis.position(0.0);
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+    const std::size_t first = p / mesh.order * mesh.order;
+    const double* shape = mesh.shape.data() + p % mesh.order * (mesh.order + 1);
+    const Vec2 w = mesh.points[p].weight * flexure.load_at(mesh.points[p].s);
+    const Vec2 drawn = flexure.axis.position(mesh.points[p].s) - start;
+    dead.along += dot(w, drawn);
+    dead.across += dot(perp(w), drawn);
+    for (std::size_t a = first == 0 ? 1 : 0; a <= mesh.order; ++a)
+      dead.nodal[first + a - 1] = dead.nodal[first + a - 1] + shape[a] * w;
+  }
+  return dead;
+}
+
+void DeadLoad::add(const Surroundings& surroundings, double length, const double* y,
+                   double* columns, double* coupling, FieldResponse& field) const {
+  const double share = surroundings.load_factor;
+  double sum = along;
+  double turned_sum = across;
+  for (std::size_t k = 0; k < nodal.size(); ++k) {
+    const Vec2 moved = length * Vec2{y[3 * k], y[3 * k + 1]};
+    sum += dot(nodal[k], moved);
+    turned_sum += dot(perp(nodal[k]), moved);
+    const Vec2 now = length * rotate(-surroundings.turn, nodal[k]);
+    const Vec2 spin = -1.0 * perp(now);  // by turn
+    columns[12 * k] -= share * now.x;
+    columns[12 * k + 4] -= share * now.y;
+    coupling[12 * k] -= share * spin.x;
+    coupling[12 * k + 4] -= share * spin.y;
+    coupling[12 * k + 1] -= now.x;
+    coupling[12 * k + 5] -= now.y;
+  }
+  const double c = std::cos(surroundings.turn);
+  const double s = std::sin(surroundings.turn);
+  const double work = c * sum - s * turned_sum;
+  const double by_turn = -s * sum - c * turned_sum;
+  field.by_factor -= work;
+  field.by_turn -= share * by_turn;
+  field.turn_turn += share * work;
+  field.turn_factor -= by_turn;
+}
+
+StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
+                                            const std::vector<Vec2>& slopes,
+                                            const std::vector<Vec2>& forces) {
+  std::vector<double> rates;
+  for (std::size_t k = 0; k < slopes.size(); ++k) rates.push_back(cross(slopes[k], forces[k]));
+  StationGrid::Integral<double> moments = grid.integrate(rates);
+  const double whole = moments.at_stations.back();
+  for (double& moment : moments.at_nodes) moment = whole - moment;
+  for (double& moment : moments.at_stations) moment = whole - moment;
+  return moments;
+}
+
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
                         const Eigen::Vector3d& load) {
   const Vec2 f{load[0], load[1]};

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "flexura/assembly/two_port.hpp"
 #include "flexura/model/modeling_settings.hpp"
@@ -17,6 +18,21 @@ double halving_error_ratio(const BeamMesh& mesh);
 /// nodes of `finer`.
 void prolong_nodes(const BeamMesh& mesh, const BeamMesh& finer, std::size_t components,
                    std::span<const double> coarse, std::span<double> fine);
+
+/// What a dead load along a flexure does on its nodes, per load factor: the potential is
+///     -load_factor (R(-turn) w).r  summed over the axis, r from the base end.
+struct DeadLoad {
+  std::vector<Vec2> nodal;  ///< integral of shape value and w, of every node but the first
+  double along = 0.0;       ///< of w . r as drawn
+  double across = 0.0;      ///< of w turned by +90 degrees . r as drawn
+
+  /// Adds gradient (every fourth double of `columns`), derivatives by turn and load factor of the
+  /// gradient (`coupling`) and of the potential itself. Unknowns: displacement over `length` and
+  /// rotation of each node.
+  void add(const Surroundings& surroundings, double length, const double* y, double* columns,
+           double* coupling, FieldResponse& field) const;
+};
+DeadLoad dead_load_on(const BeamMesh& mesh, const FlexureProperties& flexure);
 
 /// Displacement elements in a row, assembled.
 struct DisplacementElements {
@@ -39,6 +55,12 @@ Eigen::MatrixXd displacement_hessian(const DisplacementElements& e, double* scra
 /// tip.
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
                         const Eigen::Vector3d& load);
+
+/// Moment about every section of the dead forces ahead of it: at the grid's nodes and stations,
+/// from the derivative of the axis at the nodes and the force ahead of each.
+StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
+                                            const std::vector<Vec2>& slopes,
+                                            const std::vector<Vec2>& forces);
 
 /// Exact beam elements with the forces as unknowns (see make_beam_port).
 std::shared_ptr<const TwoPort> make_force_beam_port(const FlexureProperties& flexure,

@@ -37,13 +37,29 @@ class CompliantPort final : public TwoPort {
                           const double* /*internal*/) const override {
     return -compliance_;
   }
+  bool feels_surroundings() const override { return flexure_.field.acts(); }
+  TipResponse linearize_in(const Surroundings& surroundings, const Eigen::Vector3d& load,
+                           const double* internal, double* scratch,
+                           FieldResponse& field) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
-                                     std::span<const double> internal) const override;
+                                     std::span<const double> internal) const override {
+    return sections_in({}, load, internal);
+  }
+  std::vector<SectionState> sections_in(const Surroundings& surroundings,
+                                        const Eigen::Vector3d& load,
+                                        std::span<const double> internal) const override;
 
  private:
+  using Load5 = Eigen::Matrix<double, 5, 1>;  // load, dead force as drawn, turned by a right angle
+  void integrate_field();
+
   FlexureProperties flexure_;
   Vec2 at_;  ///< from the base end
   Eigen::Matrix3d compliance_;
+  // of what acts along it: complementary energy, potential as drawn and elongation by heat
+  Eigen::Matrix<double, 5, 5> quadratic_ = Eigen::Matrix<double, 5, 5>::Zero();
+  Load5 drawn_ = Load5::Zero();
+  Load5 heat_ = Load5::Zero();
 };
 
 }  // namespace flexura

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "flexura/assembly/angle_field.hpp"
+#include "flexura/assembly/loaded_angle_field.hpp"
 #include "flexura/core/quadrature.hpp"
 #include "flexura/energy/reissner.hpp"
+#include "flexura/modelings/beam_common.hpp"
 #include "flexura/modelings/exact_field.hpp"
 #include "flexura/modelings/point_compliances.hpp"
 #include "flexura/modelings/station_grid.hpp"
@@ -25,12 +26,23 @@ class ExactPort final : public TwoPort {
   ExactPort(const FlexureProperties& flexure, ExactPieces pieces);
 
   std::size_t internal_size() const override { return field_.unknowns; }
-  std::size_t scratch_size() const override { return field_.scratch_size(); }
+  std::size_t scratch_size() const override {
+    return field_.scratch_size() + (feels_surroundings() ? 8 * field_.unknowns : 0);
+  }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
   Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
+  bool feels_surroundings() const override { return flexure_.field.acts(); }
+  TipResponse linearize_in(const Surroundings& surroundings, const Eigen::Vector3d& load,
+                           const double* internal, double* scratch,
+                           FieldResponse& field) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
-                                     std::span<const double> internal) const override;
+                                     std::span<const double> internal) const override {
+    return sections_in({}, load, internal);
+  }
+  std::vector<SectionState> sections_in(const Surroundings& surroundings,
+                                        const Eigen::Vector3d& load,
+                                        std::span<const double> internal) const override;
   std::shared_ptr<const TwoPort> refined() const override;
   void prolong(std::span<const double> internal, std::span<double> refined) const override;
 
@@ -40,8 +52,8 @@ class ExactPort final : public TwoPort {
   std::size_t piece_at(double s) const;
   std::vector<double> turns_at_nodes(const StationGrid& grid,
                                      std::span<const double> internal) const;
-  StationGrid::Integral<Vec2> place_axis(const StationGrid& grid, Vec2 f,
-                                         const std::vector<double>& turns) const;
+  std::vector<Vec2> slopes_at_nodes(const StationGrid& grid, const std::vector<Vec2>& n,
+                                    double strain, const std::vector<double>& turns) const;
   double moment_at(double s, std::span<const double> internal) const;
   ExactPieces refinement() const;
 
@@ -49,17 +61,21 @@ class ExactPort final : public TwoPort {
   ExactPieces pieces_;
   AngleField field_;
   PointCompliances compliances_;  // of varying sections
+  FieldLoad acting_;
 };
 
 ExactPort::ExactPort(const FlexureProperties& flexure, ExactPieces pieces)
     : flexure_(flexure), pieces_(std::move(pieces)) {
   if (!flexure_.varying) {
     field_ = constant_section_field(flexure_, pieces_);
-    return;
+  } else {
+    VaryingField varying = varying_section_field(flexure_, pieces_);
+    field_ = std::move(varying.field);
+    compliances_ = std::move(varying.compliances);
   }
-  VaryingField varying = varying_section_field(flexure_, pieces_);
-  field_ = std::move(varying.field);
-  compliances_ = std::move(varying.compliances);
+  if (!feels_surroundings()) return;
+  acting_.strain = flexure_.field.strain;
+  for (const double s : field_.places) acting_.ahead.push_back(flexure_.load_ahead(s));
 }
 
 /// Calls with the mixed potential of the points.
@@ -72,6 +88,15 @@ auto ExactPort::with_potential(const Call& call) const {
   return call([this](std::size_t, const auto& theta, const auto& fx, const auto& fy) {
     return reissner_mixed_potential(theta, fx, fy, flexure_.axial_compliance,
                                     flexure_.shear_compliance);
+  });
+}
+
+TipResponse ExactPort::linearize_in(const Surroundings& surroundings, const Eigen::Vector3d& load,
+                                    const double* internal, double* scratch,
+                                    FieldResponse& field) const {
+  return with_potential([&](const auto& potential) {
+    return linearize_loaded_angle_field(field_, acting_, surroundings, potential, load, internal,
+                                        scratch, field);
   });
 }
 
@@ -116,45 +141,58 @@ double ExactPort::moment_at(double s, std::span<const double> internal) const {
   return flexure_.bending_stiffness / flexure_.axis.length() * moment;
 }
 
-/// The axis of sections that turn by `turns`, with the strains of a constant force f.
-StationGrid::Integral<Vec2> ExactPort::place_axis(const StationGrid& grid, Vec2 f,
-                                                  const std::vector<double>& turns) const {
+/// Slopes of the axis at the nodes, where sections turn by `turns` and carry the forces n.
+std::vector<Vec2> ExactPort::slopes_at_nodes(const StationGrid& grid, const std::vector<Vec2>& n,
+                                             double strain,
+                                             const std::vector<double>& turns) const {
   std::vector<Vec2> slopes;
   for (std::size_t k = 0; k < grid.nodes.size(); ++k) {
     const Vec2 t = unit(grid.nodes[k].angle + turns[k]);
     const FlexureProperties::Local local = flexure_.at(grid.nodes[k].s);
-    slopes.push_back((1.0 + local.axial_compliance * dot(f, t)) * t +
-                     local.shear_compliance * dot(f, perp(t)) * perp(t));
+    slopes.push_back((1.0 + strain + local.axial_compliance * dot(n[k], t)) * t +
+                     local.shear_compliance * dot(n[k], perp(t)) * perp(t));
   }
-  return grid.integrate(slopes);
+  return slopes;
 }
 
 /// The modes' moment is right in the mean: its error is as large as the last mode, while the tip's
 /// is that squared. The moment that holds each part in equilibrium with the tip is as good as the
 /// tip, and so are the turns that follow from it.
-std::vector<SectionState> ExactPort::sections(const Eigen::Vector3d& load,
-                                              std::span<const double> internal) const {
+std::vector<SectionState> ExactPort::sections_in(const Surroundings& surroundings,
+                                                 const Eigen::Vector3d& load,
+                                                 std::span<const double> internal) const {
   const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
   const Vec2 f{load[0], load[1]};
+  const auto force_at = [&](double s) {
+    if (!feels_surroundings()) return f;
+    return f + surroundings.load_factor * rotate(-surroundings.turn, flexure_.load_ahead(s));
+  };
+  std::vector<Vec2> forces;
+  for (const StationGrid::Node& node : grid.nodes) forces.push_back(force_at(node.s));
+  const double strain = surroundings.load_factor * flexure_.field.strain;
   std::vector<double> turns = turns_at_nodes(grid, internal);
   StationGrid::Integral<double> turn;
   for (int repeat = 0; repeat < 2; ++repeat) {
-    const StationGrid::Integral<Vec2> axis = place_axis(grid, f, turns);
+    const auto slopes = slopes_at_nodes(grid, forces, strain, turns);
+    const StationGrid::Integral<double> moments = moments_ahead(grid, slopes, forces);
     std::vector<double> curvatures;
     for (std::size_t k = 0; k < grid.nodes.size(); ++k)
-      curvatures.push_back((load[2] + cross(axis.at_stations.back() - axis.at_nodes[k], f)) /
+      curvatures.push_back((load[2] + moments.at_nodes[k]) /
                            flexure_.at(grid.nodes[k].s).bending_stiffness);
     turn = grid.integrate(curvatures);
     turns = turn.at_nodes;
   }
-  const StationGrid::Integral<Vec2> axis = place_axis(grid, f, turns);
+  const auto slopes = slopes_at_nodes(grid, forces, strain, turns);
+  const StationGrid::Integral<Vec2> axis = grid.integrate(slopes);
+  const StationGrid::Integral<double> moments = moments_ahead(grid, slopes, forces);
   std::vector<SectionState> states;
   for (std::size_t k = 0; k < grid.s.size(); ++k) {
     const Vec2 t = unit(grid.angles[k] + turn.at_stations[k]);
+    const Vec2 n = force_at(grid.s[k]);
     states.push_back({{axis.at_stations[k], turn.at_stations[k]},
-                      dot(f, t),
-                      dot(f, perp(t)),
-                      load[2] + cross(axis.at_stations.back() - axis.at_stations[k], f)});
+                      dot(n, t),
+                      dot(n, perp(t)),
+                      load[2] + moments.at_stations[k]});
   }
   return states;
 }

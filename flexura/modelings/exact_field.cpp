@@ -100,6 +100,7 @@ AngleField constant_section_field(const FlexureProperties& flexure, const ExactP
                  field.turns.data() + field.weights.size() * n);
       field.weights.push_back(half * rule.weights[g]);
       field.angles.push_back(angle);
+      field.places.push_back(start + half * (1.0 + rule.nodes[g]));
       drawn = drawn + field.weights.back() * unit(angle);
     }
   }
@@ -137,6 +138,7 @@ VaryingField varying_section_field(const FlexureProperties& flexure, const Exact
         field.turns.insert(field.turns.end(), turns.begin(), turns.end());
         field.weights.push_back(half * rule.weights[g]);
         field.angles.push_back(axis.tangent_angle(s));
+        field.places.push_back(s);
         varying.compliances.add(flexure.at(s));
         drawn = drawn + field.weights.back() * unit(field.angles.back());
       }

@@ -71,6 +71,27 @@ FlexureProperties::Local FlexureProperties::at(double s) const {
           shear_compliance > 0.0 ? 1.0 / (varying->shear_modulus * section.shear_area) : 0.0};
 }
 
+Vec2 FlexureProperties::load_at(double s) const {
+  const double local = varying ? section_properties(varying->shape, s, axis.length()).area : area;
+  return field.per_length + local * field.per_volume;
+}
+
+Vec2 FlexureProperties::load_ahead(double s) const {
+  const double length = axis.length();
+  if (!varying) return (length - s) * (field.per_length + area * field.per_volume);
+  const QuadratureRule& rule = gauss_legendre(12);
+  double volume = 0.0;
+  for (std::size_t k = 0; k + 1 < varying->breaks.size(); ++k) {
+    const double a = std::max(s, varying->breaks[k]);
+    const double half = 0.5 * (varying->breaks[k + 1] - a);
+    if (half <= 0.0) continue;
+    for (std::size_t g = 0; g < rule.nodes.size(); ++g)
+      volume += half * rule.weights[g] *
+                section_properties(varying->shape, a + half * (1.0 + rule.nodes[g]), length).area;
+  }
+  return (length - s) * field.per_length + volume * field.per_volume;
+}
+
 std::vector<double> FlexureProperties::smooth_breaks() const {
   std::vector<double> breaks = axis.breaks();
   if (!varying) return breaks;
@@ -90,6 +111,7 @@ FlexureProperties flexure_properties(const Model& model, const Flexure& flexure,
   FlexureProperties properties{AxisCurve(flexure.axis), e * section.second_moment,
                                axial ? 1.0 / (e * section.area) : 0.0,
                                shear ? 1.0 / (g * section.shear_area) : 0.0};
+  properties.area = section.area;
   if (const Profile* profile = varying_profile(shape)) {
     const double length = properties.axis.length();
     VaryingSection varying{shape, e, g, graded_breaks(shape, *profile, length)};

@@ -18,6 +18,16 @@ struct VaryingSection {
   std::vector<double> breaks;
 };
 
+/// What acts along a flexure, per load factor: dead force per length and per volume (its weight),
+/// and the axial strain by which a change of temperature would lengthen it.
+struct FlexureField {
+  Vec2 per_length;
+  Vec2 per_volume;
+  double strain = 0.0;
+
+  bool acts() const { return norm(per_length) > 0.0 || norm(per_volume) > 0.0 || strain != 0.0; }
+};
+
 /// What a modeling needs of one flexure: its axis and the section's compliances. Axial and shear
 /// compliance are zero where they are switched off. For a varying section the numbers are means
 /// (harmonic for EI, arithmetic for compliances): they set scales, at() has the values.
@@ -34,7 +44,13 @@ struct FlexureProperties {
   double shear_compliance = 0.0;   ///< 1/GA_s
   std::optional<VaryingSection> varying = std::nullopt;
 
+  double area = 0.0;  ///< mean
+  FlexureField field = {};
+
   Local at(double s) const;
+  /// Dead force per length at s, and on all that lies ahead of s; per load factor.
+  Vec2 load_at(double s) const;
+  Vec2 load_ahead(double s) const;
   /// Arc lengths between which axis and section are smooth.
   std::vector<double> smooth_breaks() const;
 };

@@ -32,17 +32,28 @@ class LagrangeBeamPort final : public TwoPort {
         density_(std::move(density)),
         settings_(settings),
         mesh_(flexure.axis, settings.elements, settings.order),
-        chord_(flexure.axis.position(mesh_.length) - flexure.axis.position(0.0)) {}
+        chord_(flexure.axis.position(mesh_.length) - flexure.axis.position(0.0)) {
+    if (feels_surroundings()) dead_ = dead_load_on(mesh_, flexure_);
+  }
 
   std::size_t internal_size() const override { return 3 * (mesh_.nodes() - 1); }
   std::size_t scratch_size() const override {
-    return internal_size() * (4 + 2 * (width() + 1) + 1);
+    return elimination_size() + (feels_surroundings() ? 12 * internal_size() : 0);
   }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                         double* scratch) const override;
   Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
+  bool feels_surroundings() const override { return flexure_.field.acts(); }
+  TipResponse linearize_in(const Surroundings& surroundings, const Eigen::Vector3d& load,
+                           const double* internal, double* scratch,
+                           FieldResponse& field) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
-                                     std::span<const double> internal) const override;
+                                     std::span<const double> internal) const override {
+    return sections_in({}, load, internal);
+  }
+  std::vector<SectionState> sections_in(const Surroundings& surroundings,
+                                        const Eigen::Vector3d& load,
+                                        std::span<const double> internal) const override;
   std::shared_ptr<const TwoPort> refined() const override {
     return std::make_shared<LagrangeBeamPort>(
         flexure_, BeamSettings{2 * settings_.elements, settings_.order, {}}, density_);
@@ -52,9 +63,12 @@ class LagrangeBeamPort final : public TwoPort {
 
  private:
   std::size_t width() const { return 3 * (mesh_.order + 1) - 1; }
+  std::size_t elimination_size() const { return internal_size() * (4 + 2 * (width() + 1) + 1); }
   double add_point(std::size_t element, std::size_t gauss, const double* y, double* residual,
-                   double* band) const;
-  double assemble(const double* y, double* scratch) const;
+                   double* band, double heat) const;
+  double assemble(const double* y, double* scratch, double heat = 0.0) const;
+  double add_heat(std::size_t element, std::size_t gauss, const double* y, double heat,
+                  double* columns) const;
   DisplacementElements elements() const {
     return {internal_size(), width(), internal_size() - 3, mesh_.length, chord_};
   }
@@ -64,6 +78,7 @@ class LagrangeBeamPort final : public TwoPort {
   BeamSettings settings_;
   BeamMesh mesh_;
   Vec2 chord_;
+  DeadLoad dead_;
 };
 
 /// Adds one Gauss point to residual and tangent. Unknowns of node k >= 1 are y[3 (k-1)..]: the
@@ -71,7 +86,7 @@ class LagrangeBeamPort final : public TwoPort {
 /// linear in them, so the chain rule is a pair of products with shape values.
 template <class Density>
 double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gauss, const double* y,
-                                            double* residual, double* band) const {
+                                            double* residual, double* band, double heat) const {
   using Jet = Jet2<4>;
   const std::size_t per = mesh_.order + 1;
   const double* n = mesh_.shape.data() + gauss * per;
@@ -90,7 +105,7 @@ double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gau
   }
   const auto energy_of = [&](const auto& density) {
     return density(Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
-                   Jet::variable(3, kappa), point.stretch);
+                   Jet::variable(3, kappa), point.stretch + heat);
   };
   Jet energy = [&] {
     if constexpr (requires { density_.at(point.s); })  // of a section that varies
@@ -134,12 +149,12 @@ double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gau
 
 /// Gradient and Hessian of the strain energy into the scratch; the energy.
 template <class Density>
-double LagrangeBeamPort<Density>::assemble(const double* y, double* scratch) const {
-  std::fill_n(scratch, scratch_size(), 0.0);
+double LagrangeBeamPort<Density>::assemble(const double* y, double* scratch, double heat) const {
+  std::fill_n(scratch, elimination_size(), 0.0);
   double energy = 0.0;
   for (std::size_t e = 0; e < mesh_.elements; ++e)
     for (std::size_t g = 0; g < mesh_.order; ++g)
-      energy += add_point(e, g, y, scratch, scratch + 4 * internal_size());
+      energy += add_point(e, g, y, scratch, scratch + 4 * internal_size(), heat);
   return energy;
 }
 
@@ -152,6 +167,98 @@ TipResponse LagrangeBeamPort<Density>::linearize(const Eigen::Vector3d& load, co
   return response;
 }
 
+/// Adds W_y,heat of one Gauss point, the derivative by the free axial strain, to every fourth
+/// double; its W_heat.
+template <class Density>
+double LagrangeBeamPort<Density>::add_heat(std::size_t element, std::size_t gauss, const double* y,
+                                           double heat, double* columns) const {
+  using Jet = Jet2<5>;
+  const std::size_t per = mesh_.order + 1;
+  const double* n = mesh_.shape.data() + gauss * per;
+  const double* d = mesh_.slope.data() + gauss * per;
+  const BeamMesh::GaussPoint& point = mesh_.points[element * mesh_.order + gauss];
+  const std::size_t first = element * mesh_.order;
+  double dx = point.tangent.x, dy = point.tangent.y, theta = point.angle, kappa = 0.0;
+  for (std::size_t a = first == 0 ? 1 : 0; a < per; ++a) {
+    const double* node = y + 3 * (first + a - 1);
+    dx += mesh_.length * d[a] * node[0];
+    dy += mesh_.length * d[a] * node[1];
+    theta += n[a] * node[2];
+    kappa += d[a] * node[2];
+  }
+  const auto energy_of = [&](const auto& density) {
+    const std::array<Jet, 4> v{Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
+                               Jet::variable(3, kappa)};
+    const Jet stretch = Jet::variable(4, point.stretch + heat);
+    if constexpr (requires { density(v[0], v[1], v[2], v[3], stretch); })
+      return density(v[0], v[1], v[2], v[3], stretch);
+    else  // takes the stretch as a number: knows no heat
+      return density(v[0], v[1], v[2], v[3], point.stretch);
+  };
+  Jet energy = [&] {
+    if constexpr (requires { density_.at(point.s); })
+      return energy_of(density_.at(point.s));
+    else
+      return energy_of(density_);
+  }();
+  energy *= point.weight;
+  for (std::size_t a = first == 0 ? 1 : 0; a < per; ++a) {
+    const std::size_t i = 3 * (first + a - 1);
+    columns[4 * i] += mesh_.length * d[a] * energy.second(0, 4);
+    columns[4 * (i + 1)] += mesh_.length * d[a] * energy.second(1, 4);
+    columns[4 * (i + 2)] += n[a] * energy.second(2, 4) + d[a] * energy.second(3, 4);
+  }
+  return energy.gradient[4];
+}
+
+template <class Density>
+TipResponse LagrangeBeamPort<Density>::linearize_in(const Surroundings& surroundings,
+                                                    const Eigen::Vector3d& load, const double* y,
+                                                    double* scratch, FieldResponse& field) const {
+  const std::size_t m = internal_size();
+  const double strain = flexure_.field.strain;
+  const double heat = surroundings.load_factor * strain;
+  double* field_columns = scratch + 4 * m;
+  double* field_coupling = scratch + 8 * m;
+  double* work = scratch + 12 * m;
+  TipResponse response;
+  response.strain_energy = assemble(y, work, heat);
+  std::fill_n(scratch, 12 * m, 0.0);
+  double by_heat = 0.0;
+  if (strain != 0.0)
+    for (std::size_t e = 0; e < mesh_.elements; ++e)
+      for (std::size_t g = 0; g < mesh_.order; ++g)
+        by_heat += add_heat(e, g, y, heat, field_coupling + 1);
+  for (std::size_t i = 0; i < m; ++i) field_coupling[4 * i + 1] *= strain;
+  field = {};
+  field.by_factor = strain * by_heat;
+  dead_.add(surroundings, mesh_.length, y, work, field_coupling, field);
+  response.strain_energy -= strain != 0.0 ? heat * by_heat : 0.0;
+  std::copy_n(field_coupling, 4 * m, field_columns);
+  // of the tip's load on the unknowns, before they are solved for
+  eliminate_displacements(elements(), load, y, work, response);
+  std::copy_n(work, 4 * m, scratch);
+  double* band = work + 4 * m;
+  int negative = 0;
+  const std::size_t size = m * (width() + 1);
+  response.singular =
+      response.singular || !solve_symmetric(band, band_layout(m, width()), band + size,
+                                            band + 2 * size, field_columns, negative);
+  const double lever[3] = {mesh_.length, mesh_.length, 1.0};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto row = static_cast<Eigen::Index>(c);
+    field.tip_by_turn[row] -= lever[c] * field_columns[4 * (m - 3 + c)];
+    field.tip_by_factor[row] -= lever[c] * field_columns[4 * (m - 3 + c) + 1];
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    const double by_turn = field_coupling[4 * i];
+    field.by_turn -= by_turn * scratch[4 * i];
+    field.turn_turn -= by_turn * field_columns[4 * i];
+    field.turn_factor -= by_turn * field_columns[4 * i + 1];
+  }
+  return response;
+}
+
 template <class Density>
 Eigen::MatrixXd LagrangeBeamPort<Density>::hessian(const Eigen::Vector3d& /*load*/,
                                                    const double* y) const {
@@ -161,18 +268,39 @@ Eigen::MatrixXd LagrangeBeamPort<Density>::hessian(const Eigen::Vector3d& /*load
 }
 
 template <class Density>
-std::vector<SectionState> LagrangeBeamPort<Density>::sections(
-    const Eigen::Vector3d& load, std::span<const double> internal) const {
+std::vector<SectionState> LagrangeBeamPort<Density>::sections_in(
+    const Surroundings& surroundings, const Eigen::Vector3d& load,
+    std::span<const double> internal) const {
   const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
   std::vector<double> nodal(3, 0.0);
   nodal.insert(nodal.end(), internal.begin(), internal.end());
+  const auto moved_at = [&](double s, Vec2 drawn) {
+    double u[3];
+    mesh_.interpolate(s, nodal, u);
+    return Pose{drawn + mesh_.length * Vec2{u[0], u[1]}, u[2]};
+  };
   const Vec2 tip = chord_ + mesh_.length * Vec2{nodal[nodal.size() - 3], nodal[nodal.size() - 2]};
   std::vector<SectionState> states;
-  for (std::size_t k = 0; k < grid.s.size(); ++k) {
-    double u[3];
-    mesh_.interpolate(grid.s[k], nodal, u);
-    const Pose moved{grid.positions[k] + mesh_.length * Vec2{u[0], u[1]}, u[2]};
-    states.push_back(section_at(grid, k, moved, tip, load));
+  for (std::size_t k = 0; k < grid.s.size(); ++k)
+    states.push_back(section_at(grid, k, moved_at(grid.s[k], grid.positions[k]), tip, load));
+  if (!feels_surroundings()) return states;
+  // with the moment of what lies ahead: that of w (r - r(s)) = that of w r, less r(s) x N(s)
+  const auto turned = [&](Vec2 v) {
+    return surroundings.load_factor * rotate(-surroundings.turn, v);
+  };
+  std::vector<double> moments;
+  for (const StationGrid::Node& node : grid.nodes)
+    moments.push_back(
+        cross(moved_at(node.s, node.position).position, turned(flexure_.load_at(node.s))));
+  const StationGrid::Integral<double> sums = grid.integrate(moments);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    SectionState& state = states[k];
+    const Vec2 dead = turned(flexure_.load_ahead(grid.s[k]));
+    const Vec2 t = unit(grid.angles[k] + state.pose.rotation);
+    state.axial_force += dot(dead, t);
+    state.shear_force += dot(dead, perp(t));
+    state.bending_moment +=
+        sums.at_stations.back() - sums.at_stations[k] - cross(state.pose.position, dead);
   }
   return states;
 }

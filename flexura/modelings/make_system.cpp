@@ -50,9 +50,24 @@ struct PortMaker {
 
 }  // namespace
 
+namespace {
+
+FlexureField field_on(const Model& model, std::size_t flexure, const FieldLoads& fields) {
+  const Material& material = model.materials[model.flexures[flexure].material];
+  FlexureField field;
+  for (const SpreadLoad& load : fields.spread)
+    if (load.flexure == flexure) field.per_length = field.per_length + load.per_length;
+  field.per_volume = material.density.value_or(0.0) * fields.gravity;
+  field.strain = material.thermal_expansion.value_or(0.0) * fields.temperature;
+  return field;
+}
+
+}  // namespace
+
 SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
                          const ModelingSettings& settings,
-                         const std::vector<std::optional<double>>& load_ratios) {
+                         const std::vector<std::optional<double>>& load_ratios,
+                         const FieldLoads& fields) {
   SystemLayout layout;
   const auto* beam = std::get_if<BeamSettings>(&settings.kind);
   layout.linearised = std::holds_alternative<LinearSettings>(settings.kind) ||
@@ -62,8 +77,9 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
         {body_centre(model, b), !model.bodies[b].fixed, body_can_turn(model, b)});
   for (std::size_t k = 0; k < model.flexures.size(); ++k) {
     const Flexure& flexure = model.flexures[k];
-    const FlexureProperties properties =
+    FlexureProperties properties =
         flexure_properties(model, flexure, settings.axial, settings.shear);
+    properties.field = field_on(model, k, fields);
     const auto ratio = load_ratios.empty() ? std::nullopt : load_ratios[k];
     PlacedPort placed = std::visit(PortMaker{properties, settings.tolerance, ratio}, settings.kind);
     const Vec2 end = properties.axis.position(properties.axis.length());
@@ -77,6 +93,10 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
     member.length = properties.axis.length();
     member.bending_stiffness = properties.bending_stiffness;
     member.port = std::move(placed.port);
+    // the base end carries along what acts on the flexure
+    const Vec2 dead = properties.load_ahead(0.0);
+    if (norm(dead) > 0.0)
+      layout.loads.push_back({flexure.base, member.arms.base, dead, 0.0, false});
     layout.members.push_back(std::move(member));
   }
   for (const Spring& spring : model.springs) {
@@ -96,6 +116,9 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
     const Vec2 at = load.point ? model.bodies[load.body].points[*load.point].position : centre;
     layout.loads.push_back({load.body, at - centre, load.force, load.moment, load.follower});
   }
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (model.bodies[b].mass > 0.0 && norm(fields.gravity) > 0.0)
+      layout.loads.push_back({b, {}, model.bodies[b].mass * fields.gravity, 0.0, false});
   return layout;
 }
 

@@ -15,7 +15,8 @@ namespace flexura {
 /// modelings.
 SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
                          const ModelingSettings& settings,
-                         const std::vector<std::optional<double>>& load_ratios = {});
+                         const std::vector<std::optional<double>>& load_ratios = {},
+                         const FieldLoads& fields = {});
 
 /// Whether the modeling's parameters depend on the loads it finds, and what load ratios the state z
 /// gives: axial compression over transverse force of every flexure's end force, in axes of its

@@ -23,7 +23,7 @@ class ArcTracer {
         settings_(settings),
         points_(tracked_points(model)),
         options_{algebraic_tolerance(settings.tolerance), 2.0 / study.steps, 1e-8} {
-    SystemLayout layout = make_layout(model, study.loads, settings);
+    SystemLayout layout = make_layout(model, study.loads, settings, {}, study.fields);
     add_prescribed(layout, model, study.prescribe);
     path_.systems.push_back(std::make_unique<System>(std::move(layout)));
     finer_ = path_.systems.back()->refined();

@@ -30,8 +30,10 @@ struct DrawnSections {
 
 DrawnSections sections_of(const System& system, std::size_t member, const std::vector<double>& z) {
   const TwoPort& port = *system.layout().members[member].port;
-  DrawnSections sections{port.sections(system.member_load(member, z), system.internal(member, z)),
-                         {}};
+  DrawnSections sections{
+      port.sections_in(system.surroundings(member, z), system.member_load(member, z),
+                       system.internal(member, z)),
+      {}};
   if (system.linearised()) {
     const std::vector<double> rest(port.internal_size(), 0.0);
     sections.before = port.sections(Eigen::Vector3d::Zero(), rest);

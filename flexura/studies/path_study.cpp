@@ -101,10 +101,10 @@ std::vector<ReactionEvent> load_events(const Model& model, const TracedPath& tra
 ModelingPath run_path(const Model& model, const PathStudy& study, const ModelingSettings& settings,
                       const std::function<bool(double)>& keep_going) {
   const auto start = std::chrono::steady_clock::now();
-  const TracedPath traced = study.arc_length
-                                ? trace_by_arc_length(model, study, settings, keep_going)
-                                : trace_path(model, study.loads, settings,
-                                             {study.steps, true, keep_going, study.prescribe});
+  const TracedPath traced =
+      study.arc_length ? trace_by_arc_length(model, study, settings, keep_going)
+                       : trace_path(model, study.loads, settings,
+                                    {study.steps, true, keep_going, study.prescribe, study.fields});
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
 
   ModelingPath path;

@@ -40,7 +40,7 @@ class PathTracer {
 
  private:
   SystemLayout make_prescribed_layout() const {
-    SystemLayout layout = make_layout(model_, loads_, settings_, load_ratios_);
+    SystemLayout layout = make_layout(model_, loads_, settings_, load_ratios_, options_.fields);
     add_prescribed(layout, model_, options_.prescribed);
     return layout;
   }

@@ -63,6 +63,7 @@ struct TraceOptions {
   /// Asked after each output step with the fraction done; false stops. May be empty.
   std::function<bool(double)> keep_going = {};
   std::vector<Prescribed> prescribed = {};  ///< imposed displacements, growing with the loads
+  FieldLoads fields = {};
 };
 
 /// Follows the equilibria of one modeling under growing loads.
