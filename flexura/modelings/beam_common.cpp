@@ -105,18 +105,6 @@ void DeadLoad::add(const Surroundings& surroundings, double length, const double
   field.turn_factor -= by_turn;
 }
 
-StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
-                                            const std::vector<Vec2>& slopes,
-                                            const std::vector<Vec2>& forces) {
-  std::vector<double> rates;
-  for (std::size_t k = 0; k < slopes.size(); ++k) rates.push_back(cross(slopes[k], forces[k]));
-  StationGrid::Integral<double> moments = grid.integrate(rates);
-  const double whole = moments.at_stations.back();
-  for (double& moment : moments.at_nodes) moment = whole - moment;
-  for (double& moment : moments.at_stations) moment = whole - moment;
-  return moments;
-}
-
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
                         const Eigen::Vector3d& load) {
   const Vec2 f{load[0], load[1]};

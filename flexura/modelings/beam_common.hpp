@@ -56,12 +56,6 @@ Eigen::MatrixXd displacement_hessian(const DisplacementElements& e, double* scra
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
                         const Eigen::Vector3d& load);
 
-/// Moment about every section of the dead forces ahead of it: at the grid's nodes and stations,
-/// from the derivative of the axis at the nodes and the force ahead of each.
-StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
-                                            const std::vector<Vec2>& slopes,
-                                            const std::vector<Vec2>& forces);
-
 /// Exact beam elements with the forces as unknowns (see make_beam_port).
 std::shared_ptr<const TwoPort> make_force_beam_port(const FlexureProperties& flexure,
                                                     const BeamSettings& settings);

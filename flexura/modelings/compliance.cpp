@@ -5,7 +5,6 @@
 
 #include "flexura/core/jet2.hpp"
 #include "flexura/core/quadrature.hpp"
-#include "flexura/modelings/beam_common.hpp"
 #include "flexura/modelings/station_grid.hpp"
 
 namespace flexura {

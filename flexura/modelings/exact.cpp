@@ -8,7 +8,6 @@
 #include "flexura/assembly/loaded_angle_field.hpp"
 #include "flexura/core/quadrature.hpp"
 #include "flexura/energy/reissner.hpp"
-#include "flexura/modelings/beam_common.hpp"
 #include "flexura/modelings/exact_field.hpp"
 #include "flexura/modelings/point_compliances.hpp"
 #include "flexura/modelings/station_grid.hpp"

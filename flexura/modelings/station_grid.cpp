@@ -57,4 +57,16 @@ const std::vector<double>& partial_integrals() {
   return table;
 }
 
+StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
+                                            const std::vector<Vec2>& slopes,
+                                            const std::vector<Vec2>& forces) {
+  std::vector<double> rates;
+  for (std::size_t k = 0; k < slopes.size(); ++k) rates.push_back(cross(slopes[k], forces[k]));
+  StationGrid::Integral<double> moments = grid.integrate(rates);
+  const double whole = moments.at_stations.back();
+  for (double& moment : moments.at_nodes) moment = whole - moment;
+  for (double& moment : moments.at_stations) moment = whole - moment;
+  return moments;
+}
+
 }  // namespace flexura

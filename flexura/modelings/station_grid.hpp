@@ -70,4 +70,10 @@ auto StationGrid::integrate(const std::vector<Value>& at_nodes) const -> Integra
   return integral;
 }
 
+/// Moment about every section of the dead forces ahead of it: at the grid's nodes and stations,
+/// from the derivative of the axis at the nodes and the force ahead of each.
+StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
+                                            const std::vector<Vec2>& slopes,
+                                            const std::vector<Vec2>& forces);
+
 }  // namespace flexura
