@@ -130,6 +130,7 @@ std::optional<CondensedStiffness> condense(const Model& model,
   system.set_load_factor(state.load_factor);
   if (!system.linearize(state.z)) return {};
   std::vector<System::Place> places;
+  places.reserve(bodies.size());
   for (const std::size_t body : bodies) places.push_back({body, body_centre(model, body)});
   const Eigen::MatrixXd compliance = system.place_compliance(places, state.z);
   if (compliance.size() == 0) return {};
