@@ -58,8 +58,7 @@ TipResponse System::respond(std::size_t member, const std::vector<double>& z) {
   if (!port.feels_surroundings()) return port.linearize(load, internal, scratch);
   FieldResponse& field = tangents_[member].field;
   field = {};
-  TipResponse response =
-      port.linearize_in(surroundings(member, z), load, internal, scratch, field);
+  TipResponse response = port.linearize_in(surroundings(member, z), load, internal, scratch, field);
   field_displacement_ -= field.by_factor;
   return response;
 }
