@@ -24,6 +24,7 @@ BeamSettings read_beam(Reading& reading, TableReader& table) {
   if (const auto place = table.find("theory")) {
     const auto theory = read_word(reading, *place, "beam theory", vocabulary::theories());
     if (theory == "von_karman") beam.theory = BeamSettings::Theory::von_karman;
+    if (theory == "printed") beam.theory = BeamSettings::Theory::printed;
     if (theory == "linear" || theory == "euler_bernoulli" || theory == "timoshenko")
       beam.theory = BeamSettings::Theory::linear;
   }

@@ -191,8 +191,8 @@ const Vocabulary& parameter_sets() {
 }
 
 const Vocabulary& theories() {
-  static const Vocabulary v{{"exact", "von_karman", "linear", "euler_bernoulli", "timoshenko"},
-                            {"printed"}};
+  static const Vocabulary v{
+      {"exact", "von_karman", "linear", "euler_bernoulli", "timoshenko", "printed"}, {}};
   return v;
 }
 

@@ -142,6 +142,12 @@ struct ModelingRules {
                                      varying));
     if (beam.theory != BeamSettings::Theory::exact && !axial)
       mistakes.add(path / "axial", "these elements need axial strain; exact ones do without");
+    const std::string curved = flexures_unlike(model, Shape::straight);
+    if (beam.theory == BeamSettings::Theory::printed && varying.empty() && !curved.empty())
+      mistakes.add(path / "theory",
+                   fmt::format("the printed elements are for straight flexures; this model has {}; "
+                               "'von_karman' bends any",
+                               curved));
   }
   void operator()(const BcmSettings& bcm) const {
     mistakes.require_between(path / "elements", bcm.elements, 1, 200);

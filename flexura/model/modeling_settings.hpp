@@ -51,10 +51,10 @@ struct ExactSettings {
 };
 
 /// Beam elements: geometrically exact ones of `order` + 1 nodes each, or two-node ones with a
-/// quintic deflection, by von Karman's strains in frames that follow the elements or by the linear
-/// theory (Euler-Bernoulli without shear, Timoshenko with it).
+/// quintic deflection, by von Karman's strains in frames that follow the elements, by the linear
+/// theory (Euler-Bernoulli without shear, Timoshenko with it), or as the first source prints them.
 struct BeamSettings {
-  enum class Theory { exact, von_karman, linear };
+  enum class Theory { exact, von_karman, linear, printed };
   int elements = 16;  ///< per flexure
   int order = 1;      ///< of exact elements
   Theory theory = Theory::exact;

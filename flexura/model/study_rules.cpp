@@ -182,6 +182,13 @@ struct StudyRules {
                      "follower loads have no potential: their critical loads are not those of "
                      "this study. A path with control = \"arc_length\" follows them");
     mistakes.require_between(path / "count", study.count, 1, most_modes);
+    for (std::size_t m = 0; m < study.modelings.size(); ++m) {
+      const auto* beam = std::get_if<BeamSettings>(&study.modelings[m].kind);
+      if (beam && beam->theory == BeamSettings::Theory::printed)
+        mistakes.add(path / "modelings" / m,
+                     "the printed elements have no place in buckling: a path shows where they lose "
+                     "their stiffness; 'von_karman' buckles");
+    }
     check_load_ratios(study.modelings);
     check_modelings(model, study.modelings, study.reference, path, mistakes);
   }

@@ -32,6 +32,8 @@ struct VaryingReissnerDensity {
 
 std::shared_ptr<const TwoPort> make_beam_port(const FlexureProperties& flexure,
                                               const BeamSettings& settings) {
+  if (settings.theory == BeamSettings::Theory::printed)
+    return make_printed_beam_port(flexure, settings.elements);
   if (settings.theory != BeamSettings::Theory::exact)
     return make_hermite_beam_port(flexure, settings);
   if (flexure.axial_compliance > 0.0 && flexure.shear_compliance > 0.0) {

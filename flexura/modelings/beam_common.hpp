@@ -64,4 +64,9 @@ std::shared_ptr<const TwoPort> make_force_beam_port(const FlexureProperties& fle
 std::shared_ptr<const TwoPort> make_hermite_beam_port(const FlexureProperties& flexure,
                                                       const BeamSettings& settings);
 
+/// The first source's elements as it prints them. Preconditions: a straight axis, axial compliance
+/// > 0.
+std::shared_ptr<const TwoPort> make_printed_beam_port(const FlexureProperties& flexure,
+                                                      int elements);
+
 }  // namespace flexura

@@ -54,6 +54,7 @@ inline std::vector<SuiteEntry> suite_entries() {
           {"bcm_inextensible", no_strain(bcm()), no, no, no},
           {"von_karman", von_karman(16), true, true, no, no},
           {"von_karman_unshearable", in_theory(von_karman(16), "ii"), true, true, no, no},
+          {"printed", in_theory(printed_beam(16), "ii"), no, true, no},
           {"linear_beam", linear_beam(8), true, true, no, no}};
 }
 

@@ -40,6 +40,9 @@ inline ModelingSettings von_karman(int elements) {
   return settings_of(BeamSettings{elements, 1, BeamSettings::Theory::von_karman}, "von_karman",
                      1e-11);
 }
+inline ModelingSettings printed_beam(int elements) {
+  return settings_of(BeamSettings{elements, 1, BeamSettings::Theory::printed}, "printed", 1e-11);
+}
 inline ModelingSettings linear_beam(int elements) {
   return settings_of(BeamSettings{elements, 1, BeamSettings::Theory::linear}, "linear_beam", 1e-11);
 }
