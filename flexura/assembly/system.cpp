@@ -20,11 +20,13 @@ System::System(SystemLayout layout) : layout_(std::move(layout)) {
   set_scale();
   if (layout_.linearised) {
     const std::vector<double> start = initial_state();
+    assembly_ = 0.0;
     for (std::size_t k = 0; k < layout_.members.size(); ++k) {
       double q[port_unknowns];
       gather(k, start, q);
       drawn_.push_back(relative_pose(q, layout_.members[k].arms, Eigen::Vector3d::Zero()));
     }
+    assembly_ = 1.0;
   }
 }
 
@@ -120,7 +122,8 @@ Pose System::base_section(std::size_t member, const std::vector<double>& z) cons
 }
 
 Surroundings System::surroundings(std::size_t member, const std::vector<double>& z) const {
-  return {base_section(member, z).rotation, load_factor_, layout_.linearised};
+  return {base_section(member, z).rotation, layout_.constant_fields ? assembly_ : load_factor_,
+          layout_.linearised};
 }
 
 Eigen::Vector3d System::member_load(std::size_t member, const std::vector<double>& z) const {
@@ -147,45 +150,24 @@ void System::gather(std::size_t member, const std::vector<double>& z,
   const auto& unknowns = members_[member].unknowns;
   for (const int own : {PortUnknown::base_section, PortUnknown::action_section})
     if (unknowns[own] >= 0) q[own] = z[static_cast<std::size_t>(unknowns[own])];
+  q[action_section] += assembly_ * m.misfit_rotation;
 }
 
 RelativePose System::relative_pose_of(std::size_t member, const std::vector<double>& z) const {
   double q[port_unknowns];
   gather(member, z, q);
-  if (!layout_.linearised)
-    return relative_pose(q, layout_.members[member].arms, member_load(member, z));
   const auto& m = layout_.members[member];
+  const Vec2 misfit = assembly_ * m.misfit;
+  if (!layout_.linearised)
+    return relative_pose(q, {m.arms.base, m.arms.action + misfit, m.arms.tip},
+                         member_load(member, z));
   const Vec2 apart = layout_.bodies[m.action].centre - layout_.bodies[m.base].centre;
   q[action_x] -= apart.x;
   q[action_y] -= apart.y;
   RelativePose pose = drawn_[member];
   pose.value += pose.jacobian * Eigen::Map<const Eigen::Matrix<double, port_unknowns, 1>>(q);
+  pose.value.head<2>() += Eigen::Vector2d(misfit.x, misfit.y);
   return pose;
-}
-
-double System::load_displacement(const std::vector<double>& z) const {
-  double work = 0.0;
-  for (const auto& load : layout_.loads) {
-    const Vec2 drawn = layout_.bodies[load.body].centre + load.arm;
-    work += dot(load.force, moved_point(load.body, drawn, z) - drawn) +
-            load.moment * pose(load.body, z).rotation;
-  }
-  for (std::size_t i = 0; i < layout_.prescribed.size(); ++i)
-    work -= layout_.prescribed[i].value * prescribed_reaction(i, z);
-  return work + field_displacement_;
-}
-
-double System::stored_energy(const std::vector<double>& z) const {
-  double energy = strain_energy_;
-  for (std::size_t i = 0; i < layout_.prescribed.size(); ++i)
-    energy -= load_factor_ * layout_.prescribed[i].value * prescribed_reaction(i, z);
-  return energy;
-}
-
-double System::load_rate(const std::vector<double>& direction) const {
-  const auto primary = static_cast<Eigen::Index>(primary_);
-  return load_vector_.head(primary).dot(
-      Eigen::Map<const Eigen::VectorXd>(direction.data(), primary));
 }
 
 double System::inner(const std::vector<double>& a, const std::vector<double>& b) const {
@@ -240,8 +222,7 @@ std::unique_ptr<System> System::refined() const {
   }
   if (!any) return nullptr;
   auto system = std::make_unique<System>(std::move(finer));
-  system->held_ = held_;
-  system->load_factor_ = load_factor_;
+  system->hold_as(*this);
   return system;
 }
 

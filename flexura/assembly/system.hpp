@@ -30,6 +30,10 @@ struct SystemLayout {
     PortArms arms;
     double length = 1.0;             ///< sizes the unknowns: translations and moments
     double bending_stiffness = 1.0;  ///< EI, likewise
+    /// Of the place on the action body where the end is fastened, from where the end is drawn:
+    /// what assembly closes.
+    Vec2 misfit;
+    double misfit_rotation = 0.0;
     std::shared_ptr<const TwoPort> port;
   };
   struct Load {  ///< at full load factor, on a point of a body
@@ -38,6 +42,7 @@ struct SystemLayout {
     Vec2 force;
     double moment = 0.0;
     bool follower = false;
+    bool constant = false;  ///< comes with assembly, and stays
   };
 
   /// A displacement or rotation of a point of a body that is imposed, in proportion to the load
@@ -59,6 +64,7 @@ struct SystemLayout {
     double stiffness = 0.0;  ///< force per length, or moment per radian
     double free = 0.0;       ///< length, or relative rotation, without force
     bool torsional = false;
+    double misfit = 0.0;  ///< `free` less the length as drawn: comes with assembly
   };
 
   std::vector<Body> bodies;
@@ -66,6 +72,8 @@ struct SystemLayout {
   std::vector<Load> loads;
   std::vector<Spring> springs;
   std::vector<Prescribed> prescribed;
+  /// What acts along flexures and on temperature comes with assembly, and stays.
+  bool constant_fields = false;
   /// Small displacements: kinematics to first order about the drawn state.
   bool linearised = false;
 };
@@ -96,14 +104,26 @@ class System {
   /// The unknowns of the undeformed, unloaded mechanism: zeros.
   std::vector<double> initial_state() const { return std::vector<double>(size_, 0.0); }
 
-  void set_load_factor(double load_factor) { load_factor_ = load_factor; }
-  double load_factor() const { return load_factor_; }
+  /// While the mechanism is being assembled, the share of that.
+  void set_load_factor(double load_factor) {
+    (assembling_ ? assembly_ : load_factor_) = load_factor;
+  }
+  double load_factor() const { return assembling_ ? assembly_ : load_factor_; }
+  /// Whether something acts before the loads grow: flexures or springs that do not fit as drawn,
+  /// constant loads.
+  bool needs_assembly() const;
+  /// From the drawn state, the mechanism is assembled in proportion to the load factor, and what
+  /// grows is absent and what is prescribed held. Afterwards, and by default, assembly is whole
+  /// and the load factor that of the loads.
+  void set_assembling(bool assembling);
   /// Puts a body that does not move by itself at a pose.
   void hold(std::size_t body, const Pose& pose) { held_[body] = pose; }
   /// The load factor and held poses of another system of the same mechanism.
   void hold_as(const System& other) {
     held_ = other.held_;
     load_factor_ = other.load_factor_;
+    assembly_ = other.assembly_;
+    assembling_ = other.assembling_;
   }
 
   /// Evaluates residual and tangent at z and factorizes. False where a pivot is exactly zero or a
@@ -138,8 +158,9 @@ class System {
   /// prescribed where it is: 0 is stable. With follower loads only its parity is known (0 or 1).
   int unstable_directions() const;
   double strain_energy() const { return strain_energy_; }
-  /// The strain energy less the work of the reactions on what is prescribed: its change along a
-  /// path is the load factor times that of `load_displacement`.
+  /// The strain energy less the work of what does not grow with the load factor, and of the
+  /// reactions on what is prescribed: its change along a path is the load factor times that of
+  /// `load_displacement`.
   double stored_energy(const std::vector<double>& z) const;
   /// Whether the mechanism can move without resistance, to rounding. Meant for the unloaded state:
   /// under load a flexure alone may be critical while the mechanism is not.
@@ -164,7 +185,8 @@ class System {
   /// Its place in z.
   std::size_t reaction_index(std::size_t i) const { return moving_ + i; }
   /// Sum of dead loads' forces times the displacements of their points, less that of prescribed
-  /// values times their reactions, at load factor 1.
+  /// values times their reactions, at load factor 1: minus the derivative of the potential by the
+  /// load factor. While assembling, of what assembly brings.
   double load_displacement(const std::vector<double>& z) const;
   /// The loads' work per load factor along a change of z, of the last linearization.
   double load_rate(const std::vector<double>& direction) const;
@@ -223,7 +245,21 @@ class System {
   void keep_load(std::size_t member, const Eigen::Matrix3d& flexibility);
   void add_load(const SystemLayout::Load& load, const std::vector<double>& z);
   void add_prescribed(std::size_t i, const std::vector<double>& z);
+  void add_misfit_rate(std::size_t member, const std::vector<double>& z, const RelativePose& pose);
+  /// The tip's velocity against the closing body while the load factor grows, in base axes.
+  Eigen::Vector3d misfit_rate(std::size_t member, const std::vector<double>& z,
+                              const RelativePose& pose) const;
+  bool has_misfit(std::size_t member) const;
+  bool grows(const SystemLayout::Load& load) const { return load.constant == assembling_; }
+  bool fields_grow() const { return layout_.constant_fields == assembling_; }
+  double dead_work(bool growing, const std::vector<double>& z) const;
   void add_spring(const SystemLayout::Spring& spring, const std::vector<double>& z);
+  struct SpringVector {
+    Jet2<6> x, y;
+  };
+  SpringVector spring_vector(const SystemLayout::Spring& spring,
+                             const std::vector<double>& z) const;
+  Jet2<6> spring_length(const SystemLayout::Spring& spring, const std::vector<double>& z) const;
   Jet2<6> spring_potential(const SystemLayout::Spring& spring, const std::vector<double>& z) const;
   Eigen::Vector3d spring_reaction(std::size_t body, const std::vector<double>& z) const;
   bool factorize();
@@ -241,6 +277,8 @@ class System {
   std::size_t primary_ = 0;          // and reactions of what is prescribed
   std::size_t size_ = 0;
   double load_factor_ = 0.0;
+  double assembly_ = 1.0;  // share of it
+  bool assembling_ = false;
   bool follower_ = false;
 
   double length_ = 1.0;          // mean length of the flexures
@@ -257,6 +295,7 @@ class System {
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   int eliminated_negative_ = 0;  // negative pivots of all that was eliminated
   double strain_energy_ = 0.0;
+  double misfit_rate_ = 0.0;         // of `load_displacement` by the load factor alone
   double field_displacement_ = 0.0;  // of dead loads along flexures, per load factor
   bool feels_surroundings_ = false;
   double pivot_ratio_ = 0.0;

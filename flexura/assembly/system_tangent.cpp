@@ -57,9 +57,11 @@ TipResponse System::respond(std::size_t member, const std::vector<double>& z) {
   double* scratch = scratch_.data() + index.scratch;
   if (!port.feels_surroundings()) return port.linearize(load, internal, scratch);
   FieldResponse& field = tangents_[member].field;
-  field = {};
   TipResponse response = port.linearize_in(surroundings(member, z), load, internal, scratch, field);
   field_displacement_ -= field.by_factor;
+  if (fields_grow()) return response;
+  field.tip_by_factor.setZero();
+  field.turn_factor = 0.0;
   return response;
 }
 
@@ -68,7 +70,7 @@ TipResponse System::respond(std::size_t member, const std::vector<double>& z) {
 void System::add_field_rate(std::size_t member) {
   const MemberTangent& tangent = tangents_[member];
   const MemberIndex& index = members_[member];
-  if (!layout_.members[member].port->feels_surroundings()) return;
+  if (!layout_.members[member].port->feels_surroundings() && !has_misfit(member)) return;
   const Eigen::Vector3d& tip = tangent.field.tip_by_factor;
   const int turn = index.unknowns[PortUnknown::base_section];
   if (turn >= 0) load_vector_[turn] -= tangent.field.turn_factor;
@@ -86,6 +88,7 @@ bool System::add_member(std::size_t member, const std::vector<double>& z) {
   const MemberIndex& index = members_[member];
   MemberTangent& tangent = tangents_[member];
   const Eigen::Vector3d load = member_load(member, z);
+  tangent.field = {};
   const TipResponse response = respond(member, z);
   if (response.singular || !response.tip.allFinite()) return false;
   eliminated_negative_ += response.negative;
@@ -107,6 +110,7 @@ bool System::add_member(std::size_t member, const std::vector<double>& z) {
     stiffness(PortUnknown::base_section, PortUnknown::base_section) += tangent.field.turn_turn;
     force[PortUnknown::base_section] += tangent.field.by_turn;
   }
+  if (assembling_ && has_misfit(member)) add_misfit_rate(member, z, pose);
   if (invert(flexibility, tangent.stiffness, negative)) {
     tangent.stiffness = s.asDiagonal() * tangent.stiffness * s.asDiagonal();
     eliminated_negative_ += 3 - negative;  // of minus the flexibility
@@ -132,16 +136,22 @@ void System::add_load(const SystemLayout::Load& load, const std::vector<double>&
   const double turn = layout_.linearised ? 0.0 : pose(load.body, z).rotation;
   const Vec2 arm = rotate(turn, load.arm);
   const Vec2 force = load.follower ? rotate(turn, load.force) : load.force;
-  load_vector_.segment<2>(index.position) += Eigen::Vector2d(force.x, force.y);
+  const double factor = load.constant ? assembly_ : load_factor_;
+  const auto push = [&](int row, double value) {
+    residual_[row] -= factor * value;
+    if (grows(load)) load_vector_[row] += value;
+  };
+  push(index.position, force.x);
+  push(index.position + 1, force.y);
   if (index.rotation < 0) return;
-  load_vector_[index.rotation] += cross(arm, force) + load.moment;
+  push(index.rotation, cross(arm, force) + load.moment);
   if (layout_.linearised) return;
   if (load.follower) {
-    const Vec2 change = load_factor_ * perp(force);
+    const Vec2 change = factor * perp(force);
     tangent_(index.position, index.rotation) -= change.x;
     tangent_(index.position + 1, index.rotation) -= change.y;
   } else {
-    tangent_(index.rotation, index.rotation) += load_factor_ * dot(arm, force);
+    tangent_(index.rotation, index.rotation) += factor * dot(arm, force);
   }
 }
 
@@ -152,21 +162,22 @@ void System::add_prescribed(std::size_t i, const std::vector<double>& z) {
   const BodyIndex& index = bodies_[prescribed.body];
   const auto row = static_cast<Eigen::Index>(moving_ + i);
   const double reaction = prescribed_reaction(i, z);
-  load_vector_[row] = -prescribed.value;
+  load_vector_[row] = assembling_ ? 0.0 : -prescribed.value;
+  const double target = load_factor_ * prescribed.value;
   const auto couple = [&](int unknown, double slope) {
     tangent_(row, unknown) -= slope;
     tangent_(unknown, row) -= slope;
     residual_[unknown] -= reaction * slope;
   };
   if (prescribed.component == Component::rotation) {
-    residual_[row] = -pose(prescribed.body, z).rotation;
+    residual_[row] = target - pose(prescribed.body, z).rotation;
     couple(index.rotation, 1.0);
     return;
   }
   const bool along_x = prescribed.component == Component::x;
   const Vec2 drawn = layout_.bodies[prescribed.body].centre + prescribed.arm;
   const Vec2 moved = moved_point(prescribed.body, drawn, z) - drawn;
-  residual_[row] = along_x ? -moved.x : -moved.y;
+  residual_[row] = target - (along_x ? moved.x : moved.y);
   couple(index.position + (along_x ? 0 : 1), 1.0);
   if (index.rotation < 0) return;
   const double turn = layout_.linearised ? 0.0 : pose(prescribed.body, z).rotation;
@@ -184,13 +195,13 @@ bool System::linearize(const std::vector<double>& z) {
   eliminated_negative_ = 0;
   strain_energy_ = 0.0;
   field_displacement_ = 0.0;
+  misfit_rate_ = 0.0;
   for (std::size_t k = 0; k < members_.size(); ++k)
     if (!add_member(k, z)) return false;
   for (const auto& spring : layout_.springs) add_spring(spring, z);
   for (const auto& load : layout_.loads) add_load(load, z);
   for (std::size_t i = 0; i < layout_.prescribed.size(); ++i) add_prescribed(i, z);
-  residual_.head(reduced_) -= load_factor_ * load_vector_.head(reduced_);
-  if (feels_surroundings_)
+  if (feels_surroundings_ || assembling_)
     for (std::size_t k = 0; k < members_.size(); ++k) add_field_rate(k);
   return residual_.head(reduced_).allFinite() && factorize();
 }
@@ -244,7 +255,8 @@ void System::expand(const Eigen::VectorXd& reduced, Along along, std::vector<dou
     if (!layout_.members[k].port->feels_surroundings()) continue;
     const int own = index.unknowns[PortUnknown::base_section];
     const double turn = own >= 0 ? reduced[own] : 0.0;
-    for (std::size_t i = 0; i < m; ++i, u += 4) out[i] -= u[0] * turn + u[1] * growth;
+    const double field_growth = fields_grow() ? growth : 0.0;
+    for (std::size_t i = 0; i < m; ++i, u += 4) out[i] -= u[0] * turn + u[1] * field_growth;
   }
 }
 

@@ -136,6 +136,8 @@ std::vector<Flexure> read_flexures(Reading& reading, const Place& place, const N
     if (const auto axis = table.require("axis")) flexure.axis = read_axis(reading, *axis);
     flexure.material = read_reference(reading, table, "material", names.materials);
     flexure.section = read_reference(reading, table, "section", names.sections);
+    flexure.misfit = table.vector("misfit", dimensions::length, {});
+    flexure.misfit_rotation = table.quantity("misfit_rotation", dimensions::angle, 0.0);
     flexures.push_back(std::move(flexure));
   }
   return flexures;

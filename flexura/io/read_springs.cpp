@@ -27,6 +27,21 @@ std::vector<Spring> read_springs(Reading& reading, const Place& place, const Stu
       spring.torsional = *kind == "torsional";
       spring.stiffness = table.required_quantity(*kind, spring.torsional ? torsional : stiffness);
     }
+    const auto refuse = [&](const char* key, const char* why) {
+      if (table.has(key)) reading.report_key(table.path(), key, table.position(key), why);
+    };
+    if (spring.torsional) {
+      refuse("free_length", "a torsional spring has a free_angle");
+      refuse("preload", "a torsional spring has a free_angle");
+    } else {
+      refuse("free_angle", "a spring between points has a free_length");
+    }
+    if (table.has("free_length") && table.has("preload"))
+      reading.report_key(table.path(), "preload", table.position("preload"),
+                         "the free length says it all: give one of the two");
+    spring.free = spring.torsional ? table.optional_quantity("free_angle", dimensions::angle)
+                                   : table.optional_quantity("free_length", dimensions::length);
+    if (!spring.torsional) spring.preload = table.optional_quantity("preload", dimensions::force);
     springs.push_back(std::move(spring));
   }
   return springs;

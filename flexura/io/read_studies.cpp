@@ -25,6 +25,7 @@ Load read_load(Reading& reading, const Place& place, const StudyNames& names) {
   load.force = table.vector("force", dimensions::force, {});
   load.moment = table.quantity("moment", dimensions::moment, 0.0);
   load.follower = table.boolean("follower", false);
+  load.constant = table.boolean("constant", false);
   return load;
 }
 
@@ -36,7 +37,7 @@ SpreadLoad read_spread(Reading& reading, const Place& place, const StudyNames& n
     const auto name = read_text(reading, *on);
     if (name) load.flexure = names.flexure_names.resolve(reading, *on, *name);
   }
-  for (const char* key : {"force", "moment", "follower"}) {
+  for (const char* key : {"force", "moment", "follower", "constant"}) {
     if (const auto other = table.find(key))
       reading.report_key(place.path, key, other->node->position,
                          "a distributed load acts along a flexure and keeps its direction: give "
@@ -194,6 +195,10 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
   const bool other = prescribe || table.has("gravity") || table.has("temperature");
   const auto loads = other ? table.find("loads") : table.require("loads");
   if (loads) study.loads = read_path_loads(reading, *loads, names, study.fields);
+  if (const auto surroundings = table.find("surroundings")) {
+    static const Vocabulary ways{{"growing", "constant"}, {}};
+    study.fields.constant = read_word(reading, *surroundings, "way of acting", ways) == "constant";
+  }
   study.fields.gravity = table.vector("gravity", dimensions::acceleration, {});
   study.fields.temperature = table.quantity("temperature", dimensions::number, 0.0);
   study.steps = table.integer("steps", study.steps);

@@ -74,12 +74,14 @@ const Vocabulary& body() {
 }
 
 const Vocabulary& flexure() {
-  static const Vocabulary v{{"between", "pinned", "axis", "material", "section"}, {}};
+  static const Vocabulary v{
+      {"between", "pinned", "axis", "material", "section", "misfit", "misfit_rotation"}, {}};
   return v;
 }
 
 const Vocabulary& spring() {
-  static const Vocabulary v{{"between", "stiffness", "torsional"}, {"free_length", "free_angle"}};
+  static const Vocabulary v{
+      {"between", "stiffness", "torsional", "free_length", "free_angle", "preload"}, {}};
   return v;
 }
 
@@ -100,8 +102,8 @@ const Vocabulary& linear_study() {
 
 const Vocabulary& path_study() {
   static const Vocabulary v{
-      {"kind", "loads", "gravity", "temperature", "prescribe", "control", "until", "branch",
-       "steps", "stage", "condense", "modelings", "reference"},
+      {"kind", "loads", "gravity", "temperature", "surroundings", "prescribe", "control", "until",
+       "branch", "steps", "stage", "condense", "modelings", "reference"},
       {}};
   return v;
 }
@@ -122,7 +124,7 @@ const Vocabulary& inverse_study() {
 }
 
 const Vocabulary& load() {
-  static const Vocabulary v{{"on", "force", "moment", "follower", "distributed"},
+  static const Vocabulary v{{"on", "force", "moment", "follower", "constant", "distributed"},
                             {"history", "angle"}};
   return v;
 }

@@ -130,6 +130,12 @@ void check_flexure(const Model& model, const Flexure& flexure, Mistakes& mistake
                              model.bodies[flexure.base].name));
   }
   std::visit(AxisRules{path / "axis", mistakes}, flexure.axis);
+  mistakes.require_finite(path / "misfit", flexure.misfit);
+  mistakes.require_finite(path / "misfit_rotation", flexure.misfit_rotation);
+  if (flexure.pinned_action && flexure.misfit_rotation != 0.0)
+    mistakes.add(path / "misfit_rotation",
+                 "this end is hinged: it fits at any rotation. A hinged end that does not come to "
+                 "its place has a misfit");
 }
 
 }  // namespace

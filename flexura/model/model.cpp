@@ -22,6 +22,14 @@ struct Ends {
 
 AxisEnds axis_ends(const AxisShape& axis) { return std::visit(Ends{}, axis); }
 
+bool needs_assembly(const Model& model) {
+  for (const Flexure& flexure : model.flexures)
+    if (norm(flexure.misfit) > 0.0 || flexure.misfit_rotation != 0.0) return true;
+  for (const Spring& spring : model.springs)
+    if (spring.free || spring.preload) return true;
+  return false;
+}
+
 Vec2 body_centre(const Model& model, std::size_t body) {
   if (model.bodies[body].centre) return *model.bodies[body].centre;
   for (const Flexure& flexure : model.flexures) {

@@ -64,6 +64,10 @@ struct Flexure {
   AxisShape axis;
   std::size_t material = 0;
   std::size_t section = 0;
+  /// Of the place on the action body where the end is fastened, from where it is drawn: assembly
+  /// forces the end there.
+  Vec2 misfit;
+  double misfit_rotation = 0.0;
   SourcePosition source;
 };
 
@@ -73,13 +77,16 @@ struct SpringEnd {
   std::optional<std::size_t> point;
 };
 
-/// Between points of two bodies, or, torsional, between their rotations; without force as drawn.
+/// Between points of two bodies, or, torsional, between their rotations; without force as drawn
+/// unless it is told its free length (or angle) or the force it pulls with as drawn.
 struct Spring {
   std::string name;
   SpringEnd base;
   SpringEnd action;
   double stiffness = 0.0;  ///< force per length; torsional: moment per radian
   bool torsional = false;
+  std::optional<double> free;     ///< length, or relative rotation
+  std::optional<double> preload;  ///< force of the spring as drawn, positive where it pulls
   SourcePosition source;
 };
 
@@ -91,6 +98,7 @@ struct Load {
   Vec2 force;
   double moment = 0.0;
   bool follower = false;
+  bool constant = false;  ///< there before the others grow
 };
 
 /// A dead force per length along a flexure's undeformed axis.
@@ -99,11 +107,12 @@ struct SpreadLoad {
   Vec2 per_length;
 };
 
-/// What acts along flexures and on masses, growing with the loads.
+/// What acts along flexures and on masses, growing with the loads or there before them.
 struct FieldLoads {
   std::vector<SpreadLoad> spread;
   Vec2 gravity;              ///< acceleration of all mass
   double temperature = 0.0;  ///< change, of all flexures
+  bool constant = false;
 
   bool act() const { return !spread.empty() || norm(gravity) > 0.0 || temperature != 0.0; }
 };
@@ -230,6 +239,9 @@ AxisEnds axis_ends(const AxisShape& axis);
 /// The body's reference point as drawn: its `centre`, or the first flexure end on it, or else the
 /// origin.
 Vec2 body_centre(const Model& model, std::size_t body);
+
+/// Whether flexures or springs do not fit as drawn.
+bool needs_assembly(const Model& model);
 
 /// For every body the one place where all flexure ends on it are pinned; nothing if one is
 /// clamped, if pins lie apart (they then hold the body's rotation between them), or if there are

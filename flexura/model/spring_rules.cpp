@@ -15,6 +15,11 @@ void check_springs(const Model& model, Mistakes& mistakes) {
     const KeyPath path{"springs", spring.name};
     mistakes.require_positive(path / (spring.torsional ? "torsional" : "stiffness"),
                               spring.stiffness);
+    mistakes.require_finite(path / (spring.torsional ? "free_angle" : "free_length"),
+                            spring.free.value_or(0.0));
+    mistakes.require_finite(path / "preload", spring.preload.value_or(0.0));
+    if (!spring.torsional && spring.free && *spring.free < 0.0)
+      mistakes.add(path / "free_length", "a length is not negative");
     if (!valid(spring.base) || !valid(spring.action)) continue;
     if (spring.base.body == spring.action.body) {
       mistakes.add(path / "between", "joins a body to itself");

@@ -81,10 +81,27 @@ struct StudyRules {
     }
   }
 
-  void operator()(const LinearStudy& study) const { check_loads(study.loads); }
+  void operator()(const LinearStudy& study) const {
+    check_loads(study.loads);
+    refuse_assembly(study.loads);
+  }
+
+  /// What these studies find out counts from the drawn state, which must be in equilibrium.
+  void refuse_assembly(const std::vector<Load>& loads) const {
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      if (loads[i].constant)
+        mistakes.add(path / "loads" / i / "constant",
+                     "constant loads belong to studies of kind path");
+    if (needs_assembly(model))
+      mistakes.add(path / "kind",
+                   "this study counts from the mechanism as drawn, and this one is assembled from "
+                   "parts that do not fit (misfit, free_length, free_angle or preload): only "
+                   "studies of kind path assemble it");
+  }
 
   void operator()(const PathStudy& study) const {
-    if (study.loads.empty() && study.prescribe.empty() && !study.fields.act())
+    if (study.loads.empty() && study.prescribe.empty() && !study.fields.act() &&
+        !needs_assembly(model))
       mistakes.add(path / "loads", "a path needs a load, or something to prescribe");
     check_fields(study);
     check_loads(study.loads);
@@ -176,6 +193,7 @@ struct StudyRules {
   void operator()(const BucklingStudy& study) const {
     if (study.loads.empty()) mistakes.add(path / "loads", "buckling needs a load");
     check_loads(study.loads);
+    refuse_assembly(study.loads);
     for (std::size_t i = 0; i < study.loads.size(); ++i)
       if (study.loads[i].follower)
         mistakes.add(path / "loads" / i / "follower",
@@ -208,6 +226,7 @@ struct StudyRules {
     if (study.relative.empty()) {
       mistakes.add(path / "relative", "an inverse study needs the displacements to prescribe");
     }
+    refuse_assembly({});
     for (std::size_t i = 0; i < study.relative.size(); ++i) {
       const RelativeDisplacement& relative = study.relative[i];
       const KeyPath entry = path / "relative" / i;

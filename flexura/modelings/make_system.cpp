@@ -69,6 +69,7 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
                          const std::vector<std::optional<double>>& load_ratios,
                          const FieldLoads& fields) {
   SystemLayout layout;
+  layout.constant_fields = fields.constant;
   const auto* beam = std::get_if<BeamSettings>(&settings.kind);
   layout.linearised = std::holds_alternative<LinearSettings>(settings.kind) ||
                       (beam && beam->theory == BeamSettings::Theory::linear);
@@ -96,7 +97,9 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
     // the base end carries along what acts on the flexure
     const Vec2 dead = properties.load_ahead(0.0);
     if (norm(dead) > 0.0)
-      layout.loads.push_back({flexure.base, member.arms.base, dead, 0.0, false});
+      layout.loads.push_back({flexure.base, member.arms.base, dead, 0.0, false, fields.constant});
+    member.misfit = flexure.misfit;
+    member.misfit_rotation = flexure.misfit_rotation;
     layout.members.push_back(std::move(member));
   }
   for (const Spring& spring : model.springs) {
@@ -108,17 +111,22 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
     const Vec2 b = arm(spring.action);
     const Vec2 apart =
         layout.bodies[spring.action.body].centre + b - layout.bodies[spring.base.body].centre - a;
-    layout.springs.push_back({spring.base.body, spring.action.body, a, b, spring.stiffness,
-                              spring.torsional ? 0.0 : norm(apart), spring.torsional});
+    const double drawn = spring.torsional ? 0.0 : norm(apart);
+    const double free =
+        spring.preload ? drawn - *spring.preload / spring.stiffness : spring.free.value_or(drawn);
+    layout.springs.push_back({spring.base.body, spring.action.body, a, b, spring.stiffness, free,
+                              spring.torsional, free - drawn});
   }
   for (const Load& load : loads) {
     const Vec2 centre = layout.bodies[load.body].centre;
     const Vec2 at = load.point ? model.bodies[load.body].points[*load.point].position : centre;
-    layout.loads.push_back({load.body, at - centre, load.force, load.moment, load.follower});
+    layout.loads.push_back(
+        {load.body, at - centre, load.force, load.moment, load.follower, load.constant});
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     if (model.bodies[b].mass > 0.0 && norm(fields.gravity) > 0.0)
-      layout.loads.push_back({b, {}, model.bodies[b].mass * fields.gravity, 0.0, false});
+      layout.loads.push_back(
+          {b, {}, model.bodies[b].mass * fields.gravity, 0.0, false, fields.constant});
   return layout;
 }
 

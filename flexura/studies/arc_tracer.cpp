@@ -7,6 +7,7 @@
 
 #include "flexura/modelings/make_system.hpp"
 #include "flexura/solvers/continuation.hpp"
+#include "flexura/studies/assembly_stage.hpp"
 #include "flexura/studies/prescribed.hpp"
 #include "flexura/studies/singular_mechanism.hpp"
 
@@ -64,7 +65,10 @@ class ArcTracer {
 
 TracedPath ArcTracer::run(const Model& model, const std::function<bool(double)>& keep_going) {
   Path path(system(), options_);
-  if (!path.start(0.0, system().initial_state()) || system().is_singular()) {
+  std::vector<double> start;
+  if (!assemble(model, options_.tolerance, path_, start)) return std::move(path_);
+  const bool drawn = !system().needs_assembly();
+  if (!path.start(0.0, start) || (drawn && system().is_singular())) {
     path_.termination = {Status::stopped, describe_singular(model, system().softest_body())};
     return std::move(path_);
   }

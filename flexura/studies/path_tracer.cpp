@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "flexura/modelings/make_system.hpp"
+#include "flexura/studies/assembly_stage.hpp"
 #include "flexura/studies/error_estimate.hpp"
 #include "flexura/studies/prescribed.hpp"
 #include "flexura/studies/singular_mechanism.hpp"
@@ -77,12 +78,19 @@ class PathTracer {
 TracedPath PathTracer::run() {
   const int steps = options_.steps;
   Stepping stepping(system(), {algebraic_tolerance(settings_.tolerance), 1e-4});
-  if (!stepping.start(system().initial_state()) || system().is_singular()) {
+  std::vector<double> start;
+  if (!assemble(model_, algebraic_tolerance(settings_.tolerance), path_, start))
+    return std::move(path_);
+  const bool assembled = system().needs_assembly();
+  if (!stepping.start(start) || (!assembled && system().is_singular())) {
     path_.termination = singular_start();
     return std::move(path_);
   }
-  const bool estimated = estimates();
-  record(stepping, 0.0, std::vector<double>(estimated ? points_.size() : 0, 0.0));
+  if (assembled)
+    settle(stepping);
+  else
+    errors_.assign(estimates() ? points_.size() : 0, 0.0);
+  record(stepping, 0.0, errors_);
   path_.termination.status = Status::converged;
   for (int step = 1; step <= steps; ++step) {
     const double load_factor = step == steps ? 1.0 : static_cast<double>(step) / steps;

@@ -114,8 +114,8 @@ std::vector<ReactionEvent> find_reaction_events(const Model& model, const PathSt
     DrivenState low, high;
     if (!search.evaluate(from.load_factor, z, low) || !search.evaluate(to.load_factor, to.z, high))
       continue;
-    if (k == 0) record(system, low, ReactionEvent::Kind::zero);
-    const bool starts_at_zero = k == 0;
+    const bool starts_at_zero = k == 0 && !system.needs_assembly();
+    if (starts_at_zero) record(system, low, ReactionEvent::Kind::zero);
     const auto reaction_of = [](const DrivenState& state) { return state.reaction; };
     const auto slope_of = [](const DrivenState& state) { return state.slope; };
     std::optional<DrivenState> halt, zero;
