@@ -180,12 +180,12 @@ CsvText make_stage_csv(const ModelingPath& modeling) {
     csv.word(std::to_string(k)).number(modeling.states[k].load_factor);
     const std::optional<StageState>& state = modeling.stage[k];
     for (std::size_t i = 0; i < 9; ++i)
-      optional(state ? std::optional(state->stiffness[i]) : std::nullopt);
-    optional(state ? std::optional(state->stiff) : std::nullopt);
-    optional(state ? std::optional(state->soft) : std::nullopt);
-    optional(state && state->soft != 0.0 ? std::optional(state->stiff / state->soft)
-                                         : std::nullopt);
-    optional(state ? std::optional(state->soft_direction) : std::nullopt);
+      optional(state && state->stiffness ? std::optional((*state->stiffness)[i]) : std::nullopt);
+    optional(state ? state->stiff : std::nullopt);
+    optional(state ? state->soft : std::nullopt);
+    optional(state && state->stiff && state->soft ? std::optional(*state->stiff / *state->soft)
+                                                  : std::nullopt);
+    optional(state && state->soft ? std::optional(state->soft_direction) : std::nullopt);
     optional(state ? std::optional(state->along) : std::nullopt);
     optional(state ? std::optional(state->across) : std::nullopt);
     optional(state ? std::optional(state->rotation) : std::nullopt);

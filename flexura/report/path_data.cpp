@@ -25,6 +25,7 @@ Json state_json(const PathState& state, const DrawnCoordinates& coordinates) {
                {"mids", std::move(mids)},
                {"axes", std::move(axes)},
                {"unstable", state.unstable_directions > 0}};
+  for (const double peak : state.peak_stresses) json["peaks"].push_back(rounded(peak));
   if (!state.reactions.empty()) {
     Json& reactions = json["reactions"] = Json::array();
     for (const Reaction& r : state.reactions) {
@@ -58,6 +59,25 @@ Json safety_json(const std::optional<Safety>& safety) {
   return {{"factor", optional_number(safety->factor)}, {"reached", std::move(reached)}};
 }
 
+Json stage_json(const std::optional<StageState>& stage) {
+  if (!stage) return nullptr;
+  const auto& centre = stage->instant_centre;
+  return {{"soft", optional_number(stage->soft)},
+          {"stiff", optional_number(stage->stiff)},
+          {"soft_direction", rounded(stage->soft_direction)},
+          {"across", rounded(stage->across)},
+          {"rotation", rounded(stage->rotation)},
+          {"drift", centre ? Json(rounded(stage->centre_drift)) : Json(nullptr)},
+          {"geometric", optional_number(stage->geometric_advantage)},
+          {"mechanical", optional_number(stage->mechanical_advantage)}};
+}
+
+Json condensed_json(const CondensedStiffness& condensed) {
+  Json matrix = Json::array();
+  for (const double entry : condensed.matrix) matrix.push_back(rounded(entry));
+  return {{"load_factor", rounded(condensed.load_factor)}, {"matrix", std::move(matrix)}};
+}
+
 Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordinates& coordinates) {
   const ModelingPath& m = path.modelings[index];
   Json states = Json::array();
@@ -77,6 +97,10 @@ Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordin
                                {"stable", event.stable},
                                {"state", state_json(event.state, coordinates)}});
   }
+  Json stage = Json::array();
+  for (const auto& state : m.stage) stage.push_back(stage_json(state));
+  Json condensed = Json::array();
+  for (const CondensedStiffness& c : m.condensed) condensed.push_back(condensed_json(c));
   Json differences = Json::array();
   if (index != path.reference) {
     for (std::size_t p = 0; p < path.points.size() + path.bodies.size(); ++p) {
@@ -99,6 +123,8 @@ Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordin
           {"events", std::move(events)},
           {"reaction_events", std::move(reaction_events)},
           {"states", std::move(states)},
+          {"stage", std::move(stage)},
+          {"condensed", std::move(condensed)},
           {"differences", std::move(differences)},
           {"members", members_json(m.members)}};
 }
@@ -117,6 +143,8 @@ Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates)
                     {"body", place.body},
                     {"point", place.point ? Json(*place.point) : Json(nullptr)}});
   }
+  Json strengths = Json::array();
+  for (const auto& strength : path.strengths) strengths.push_back(optional_number(strength));
   Json modelings = Json::array();
   for (std::size_t m = 0; m < path.modelings.size(); ++m) {
     modelings.push_back(modeling_json(path, m, coordinates));
@@ -125,6 +153,9 @@ Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates)
           {"points", path.points},
           {"owners", std::move(owners)},
           {"flexures", path.flexures},
+          {"strengths", std::move(strengths)},
+          {"stage", path.stage},
+          {"condensed", path.condensed},
           {"held", std::move(held)},
           {"reference", path.reference},
           {"modelings", std::move(modelings)}};

@@ -31,7 +31,18 @@ Json drawing_json(const Drawing& drawing, const DrawnCoordinates& coordinates) {
                       {"point_names", b.point_names},
                       {"points", coordinates(b.points)}});
   }
-  return {{"flexures", std::move(flexures)}, {"bodies", std::move(bodies)}};
+  Json springs = Json::array();
+  for (const DrawnSpring& s : drawing.springs) {
+    springs.push_back({{"name", s.name},
+                       {"base", s.base},
+                       {"action", s.action},
+                       {"base_place", pair(s.base_place)},
+                       {"action_place", pair(s.action_place)},
+                       {"torsional", s.torsional}});
+  }
+  return {{"flexures", std::move(flexures)},
+          {"bodies", std::move(bodies)},
+          {"springs", std::move(springs)}};
 }
 
 Json loads_json(const std::vector<DrawnLoad>& loads) {
@@ -40,7 +51,8 @@ Json loads_json(const std::vector<DrawnLoad>& loads) {
     list.push_back({{"on", load.on},
                     {"force", pair(load.force)},
                     {"moment", rounded(load.moment)},
-                    {"follower", load.follower}});
+                    {"follower", load.follower},
+                    {"constant", load.constant}});
   }
   return list;
 }

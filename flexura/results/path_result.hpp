@@ -30,12 +30,13 @@ struct Reaction {
 
 /// What a stage's output place does in one state: about it, how stiff it is, and where it is going.
 struct StageState {
-  /// Force x, y and moment at the place per displacement x, y and rotation there, row by row.
-  std::array<double, 9> stiffness{};
+  /// Force x, y and moment at the place per displacement x, y and rotation there, row by row;
+  /// absent where the place cannot move in some direction.
+  std::optional<std::array<double, 9>> stiffness;
   /// Largest and smallest stiffness against a force there, its rotation free, and the direction
-  /// (radians) of the smallest.
-  double stiff = 0.0;
-  double soft = 0.0;
+  /// (radians) of the smallest; absent where the place cannot move.
+  std::optional<double> stiff;
+  std::optional<double> soft;
   double soft_direction = 0.0;
   std::optional<Vec2> instant_centre;  ///< of its body's motion along the path; none: translation
   double centre_drift = 0.0;           ///< distance of the instant centre from the path's first

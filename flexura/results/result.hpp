@@ -35,10 +35,21 @@ struct DrawnBody {
   std::vector<Vec2> points;
 };
 
+/// A spring as drawn, by the bodies that its ends belong to.
+struct DrawnSpring {
+  std::string name;
+  std::string base;
+  std::string action;
+  Vec2 base_place;
+  Vec2 action_place;
+  bool torsional = false;
+};
+
 /// The mechanism before any load, to scale.
 struct Drawing {
   std::vector<DrawnFlexure> flexures;
   std::vector<DrawnBody> bodies;
+  std::vector<DrawnSpring> springs = {};
 };
 
 /// A load as drawn: at full load factor.
@@ -47,6 +58,7 @@ struct DrawnLoad {
   Vec2 force;
   double moment = 0.0;
   bool follower = false;
+  bool constant = false;
 };
 
 struct StudyResult {

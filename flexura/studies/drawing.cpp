@@ -40,6 +40,15 @@ Drawing make_drawing(const Model& model) {
     drawing.bodies[flexure.action].ends.push_back(drawn.axis.back());
     drawing.flexures.push_back(std::move(drawn));
   }
+  for (const Spring& spring : model.springs) {
+    const auto place = [&](const SpringEnd& end) {
+      return end.point ? model.bodies[end.body].points[*end.point].position
+                       : body_centre(model, end.body);
+    };
+    drawing.springs.push_back({spring.name, model.bodies[spring.base.body].name,
+                               model.bodies[spring.action.body].name, place(spring.base),
+                               place(spring.action), spring.torsional});
+  }
   return drawing;
 }
 
@@ -48,7 +57,7 @@ std::vector<DrawnLoad> make_drawn_loads(const Model& model, const std::vector<Lo
   for (const Load& load : loads) {
     const Body& body = model.bodies[load.body];
     const std::string on = load.point ? body.name + "." + body.points[*load.point].name : body.name;
-    drawn.push_back({on, load.force, load.moment, load.follower});
+    drawn.push_back({on, load.force, load.moment, load.follower, load.constant});
   }
   return drawn;
 }

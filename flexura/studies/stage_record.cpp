@@ -35,6 +35,28 @@ Velocity velocity_of(const System& system, const System::Place& place, const std
               (system.pose(place.body, ahead).rotation - system.pose(place.body, behind).rotation)};
 }
 
+/// Compliances this much smaller than the largest are rounding: the direction is rigid.
+constexpr double rigid = 1e-11;
+
+/// Inverse of the compliance of some places; absent where they cannot move in some direction.
+/// Places on one pin, which have no rotation of their own, get zeros for their moment.
+std::optional<Eigen::MatrixXd> stiffness_of(const Eigen::MatrixXd& compliance, double length) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(compliance.rows());
+  for (Eigen::Index i = 2; i < scale.size(); i += 3) scale[i] = length;
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * compliance * scale.asDiagonal();
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < scaled.rows(); ++i)
+    if (scaled(i, i) != 0.0) free.push_back(i);
+  const Eigen::MatrixXd kept = scaled(free, free);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(kept);
+  const Eigen::VectorXd sizes = modes.eigenvalues().cwiseAbs();
+  if (kept.size() == 0 || !(sizes.minCoeff() > rigid * sizes.maxCoeff())) return {};
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(scaled.rows(), scaled.cols());
+  const Eigen::MatrixXd inverse = kept.inverse();
+  stiffness(free, free) = inverse;
+  return scale.asDiagonal() * stiffness * scale.asDiagonal();
+}
+
 /// A body's rotation that moves its place by less than this per flexure length is none.
 constexpr double no_rotation = 1e-9;
 
@@ -66,22 +88,32 @@ class StageReader {
     if (input_) places.push_back(*input_);
     const Eigen::MatrixXd c = system.place_compliance(places, z);
     if (c.size() == 0) return false;
-    // a body on one pin has no rotation of its own
-    const bool turns = c(2, 2) != 0.0;
-    Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
-    if (turns)
-      k = c.topLeftCorner<3, 3>().inverse();
-    else
-      k.topLeftCorner<2, 2>() = c.topLeftCorner<2, 2>().inverse();
-    for (int i = 0; i < 9; ++i) state.stiffness[static_cast<std::size_t>(i)] = k(i / 3, i % 3);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(
-        c.topLeftCorner<2, 2>().inverse().eval());
-    state.soft = principal.eigenvalues()[0];
-    state.stiff = principal.eigenvalues()[1];
-    const Eigen::Vector2d soft = principal.eigenvectors().col(0);
-    state.soft_direction = std::atan(soft[1] / soft[0]);
+    if (const auto k = stiffness_of(c.topLeftCorner<3, 3>(), system.mean_length())) {
+      state.stiffness.emplace();
+      for (int i = 0; i < 9; ++i)
+        (*state.stiffness)[static_cast<std::size_t>(i)] = (*k)(i / 3, i % 3);
+    }
+    add_principal(c.topLeftCorner<2, 2>(), state);
     if (input_ && along_) add_advantages(system, c, z, rate, state);
-    return k.allFinite();
+    return c.allFinite();
+  }
+
+  static void add_principal(const Eigen::Matrix2d& c, StageState& state) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(c);
+    const Eigen::Vector2d values = principal.eigenvalues();
+    const double largest = values.cwiseAbs().maxCoeff();
+    for (const int i : {0, 1}) {
+      if (!(std::abs(values[i]) > rigid * largest)) continue;
+      const double stiffness = 1.0 / values[i];
+      if (state.soft && *state.soft <= stiffness) {
+        state.stiff = stiffness;
+        continue;
+      }
+      state.stiff = state.soft;
+      state.soft = stiffness;
+      const Eigen::Vector2d way = principal.eigenvectors().col(i);
+      state.soft_direction = std::atan(way[1] / way[0]);
+    }
   }
 
   void add_advantages(const System& system, const Eigen::MatrixXd& c, const std::vector<double>& z,
@@ -134,11 +166,11 @@ std::optional<CondensedStiffness> condense(const Model& model,
   for (const std::size_t body : bodies) places.push_back({body, body_centre(model, body)});
   const Eigen::MatrixXd compliance = system.place_compliance(places, state.z);
   if (compliance.size() == 0) return {};
-  // a body without rotation of its own gives no moment
-  const Eigen::MatrixXd k = compliance.completeOrthogonalDecomposition().pseudoInverse();
+  const auto k = stiffness_of(compliance, system.mean_length());
+  if (!k) return {};
   CondensedStiffness stiffness{state.load_factor, {}};
-  for (Eigen::Index i = 0; i < k.rows(); ++i)
-    for (Eigen::Index j = 0; j < k.cols(); ++j) stiffness.matrix.push_back(k(i, j));
+  for (Eigen::Index i = 0; i < k->rows(); ++i)
+    for (Eigen::Index j = 0; j < k->cols(); ++j) stiffness.matrix.push_back((*k)(i, j));
   return stiffness;
 }
 

@@ -268,6 +268,36 @@ class ReportTest(unittest.TestCase):
         self.assertGreater(self.browser.script(
             "return document.querySelectorAll('.diagram-fill').length"), 0)
 
+    def test_a_stage_is_drawn_and_its_stiffness_listed(self):
+        count = "return document.querySelectorAll(arguments[0]).length"
+        stages = 0
+        for study in self.studies:
+            self.open_study(study)
+            charts = self.browser.script(count, ".stage-plots .chart")
+            if charts == 0:
+                continue
+            stages += 1
+            self.assertGreaterEqual(charts, 6)
+            lines = self.browser.script(
+                "return [...document.querySelectorAll('.stage-plots .chart-line')]"
+                ".map((path) => path.getAttribute('d'))")
+            self.assertGreater(len(lines), charts)
+            self.assertFalse(any("NaN" in d for d in lines))
+            self.assertGreaterEqual(self.browser.script(count, ".condensed tbody tr"), 3)
+        self.assertGreater(stages, 0, "no study shows a stage")
+
+    def test_springs_follow_the_mechanism(self):
+        drawn = ("return [...document.querySelectorAll('.springs path')]"
+                 ".map((path) => path.getAttribute('d'))")
+        self.path_study()
+        self.seek(0.0)
+        before = self.browser.script(drawn)
+        self.seek(1.0)
+        after = self.browser.script(drawn)
+        self.assertGreater(len(before), 0)
+        self.assertNotEqual(before, after)
+        self.assertFalse(any("NaN" in d or not d for d in before + after))
+
     def test_extremes_and_safety_are_listed(self):
         safeties = 0
         for study in self.studies:

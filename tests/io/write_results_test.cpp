@@ -55,7 +55,7 @@ TEST_F(WriteResults, WritesTheFilesOfTheContract) {
                            "ellipses/ellipse.json"}) {
     EXPECT_TRUE(names.contains(folder + name)) << name;
   }
-  EXPECT_EQ(names.size(), 2U + 10U + 10U + 8U + 1U);
+  EXPECT_EQ(names.size(), 2U + 20U + 10U + 8U + 1U);
   EXPECT_EQ(read(top_ / folder / "report.html"), "<html>");
 }
 

@@ -108,6 +108,28 @@ StudyResult study(const char* name, const char* kind, const TipLoad& load) {
   return result;
 }
 
+/// A stage that stiffens as it travels; one modeling knows no largest stiffness.
+void add_stage(PathResult& path) {
+  path.stage = "link4.E";
+  path.condensed = {"link4"};
+  for (ModelingPath& modeling : path.modelings) {
+    for (const PathState& state : modeling.states) {
+      StageState stage;
+      const double k = state.load_factor;
+      stage.soft = 0.01 * (1.0 + k * k);
+      if (modeling.modeling != "prbm") stage.stiff = 2.0 - k;
+      stage.soft_direction = 0.3 * k;
+      stage.instant_centre = Vec2{4.0 + k, 2.0};
+      stage.centre_drift = k;
+      stage.across = 0.2 * k * k;
+      stage.rotation = -0.1 * k;
+      stage.geometric_advantage = 3.0 - k;
+      modeling.stage.push_back(stage);
+    }
+    modeling.condensed = {{0.0, {1.0, 0.0, -2.0, 0.0, 3.0, 0.5, -2.0, 0.5, 40.0}}};
+  }
+}
+
 StudyResult make_inverse_study() {
   const TipLoad load{{0.0, 0.0}, 0.01};
   StudyResult result = study("hold", "inverse", load);
@@ -148,10 +170,20 @@ Result make_sample_result() {
   result.time_unit = "s";
   const Chain chain = make_chain(48);
   result.drawing = chain.drawing;
+  const DrawnBody& last = result.drawing.bodies.back();
+  result.drawing.springs = {{"coil", "ground", last.name, {2.0, 14.0}, last.points.front(), false},
+                            {"spiral",
+                             "ground",
+                             result.drawing.bodies[1].name,
+                             {},
+                             result.drawing.bodies[1].centre,
+                             true}};
 
   const TipLoad push{{1e-3, 0.0}, 0.0};
   StudyResult pushed = study("push", "path", push);
-  pushed.content = make_path(push);
+  PathResult pushed_path = make_path(push);
+  add_stage(pushed_path);
+  pushed.content = std::move(pushed_path);
   result.studies.push_back(std::move(pushed));
 
   const TipLoad lift{{-5e-4, 1.1e-3}, 0.004};

@@ -34,9 +34,9 @@ TEST(Stage, CantileverAtRest) {
   ASSERT_TRUE(path.stage.at(0).has_value());
   const StageState& rest = *path.stage[0];
   const double expected[9] = {500, 0, 0, 0, 24, -12, 0, -12, 8};
-  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(rest.stiffness[i], expected[i], 1e-7) << i;
-  EXPECT_NEAR(rest.soft, 6.0, 1e-9);  // 3 EI/L^3
-  EXPECT_NEAR(rest.stiff, 500.0, 1e-7);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR((*rest.stiffness)[i], expected[i], 1e-7) << i;
+  EXPECT_NEAR(*rest.soft, 6.0, 1e-9);  // 3 EI/L^3
+  EXPECT_NEAR(*rest.stiff, 500.0, 1e-7);
   EXPECT_NEAR(std::abs(rest.soft_direction), M_PI / 2.0, 1e-9);
   // v/phi = (FL^3/3EI)/(FL^2/2EI) = 2L/3 behind the tip
   ASSERT_TRUE(rest.instant_centre.has_value());
@@ -52,7 +52,7 @@ TEST(Stage, StiffnessIsTheSlopeOfThePath) {
   ASSERT_TRUE(path.termination.converged()) << path.termination.reason;
   // the displacement by dF alone: compliance c_xx, from the inverse of the stiffness
   const std::size_t k = 100;
-  const auto& s = path.stage[k]->stiffness;
+  const auto& s = *path.stage[k]->stiffness;
   Eigen::Matrix3d stiffness;
   stiffness << s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8];
   const double compliance = stiffness.inverse()(0, 0);
@@ -100,6 +100,24 @@ TEST(Stage, CondensedStiffnessGivesTheLinearAnswer) {
   const Vec2 gone = state.bodies[2].position - path.states.front().bodies[2].position;
   EXPECT_NEAR(moved[3] / gone.x, 1.0, 1e-3);  // loads small, not infinitely so
   EXPECT_NEAR(moved[4] / gone.y, 1.0, 1e-3);
+}
+
+/// Straight leaves that do not stretch leave the platform of a parallelogram one direction: no
+/// stiffness matrix, and no largest stiffness. Bent ones can straighten.
+TEST(Stage, WhatCannotMoveHasNoStiffness) {
+  const Mechanism stage = parallelogram();
+  const std::size_t platform = stage.index("stage");
+  const ModelingPath path =
+      run_stage(stage, {stage.load("stage", {0.0, 0.1})}, {{platform, {}, {}}, {}}, 2, {platform});
+  ASSERT_TRUE(path.termination.converged()) << path.termination.reason;
+  ASSERT_EQ(path.condensed.size(), 1U);
+  EXPECT_EQ(path.condensed[0].load_factor, 1.0);
+  ASSERT_TRUE(path.stage[0].has_value());
+  EXPECT_FALSE(path.stage[0]->stiffness.has_value());
+  EXPECT_FALSE(path.stage[0]->stiff.has_value());
+  ASSERT_TRUE(path.stage[0]->soft.has_value());
+  EXPECT_GT(*path.stage[0]->soft, 0.0);
+  EXPECT_TRUE(path.stage[2]->stiff.has_value());
 }
 
 }  // namespace

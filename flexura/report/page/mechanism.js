@@ -6,7 +6,9 @@ const Mechanism = (() => {
   const drawingBodies = State.data.drawing.bodies;
   const all = [...bodies.values()];
   const places = [
-    ...flexures.flatMap((f) => f.axis), ...all.flatMap((b) => [...b.ends, ...b.points])];
+    ...flexures.flatMap((f) => f.axis), ...all.flatMap((b) => [...b.ends, ...b.points]),
+    ...State.data.drawing.springs.filter((s) => !s.torsional)
+      .flatMap((s) => [s.base_place, s.action_place])];
   const [x0, x1] = d3.extent(places, (p) => p[0]);
   const [y0, y1] = d3.extent(places, (p) => p[1]);
   const extent = Math.max(x1 - x0, y1 - y0) || 1;
@@ -57,6 +59,21 @@ const Mechanism = (() => {
     };
   }
 
+  // `carried(body name)` gives the motion of a body and its rotation.
+  function springItems(view, carried, look) {
+    return State.data.drawing.springs.map((spring) => {
+      const base = carried(spring.base);
+      const action = carried(spring.action);
+      const end = view.project(action.move(spring.action_place));
+      return {
+        ...look,
+        d: spring.torsional ? Shapes.spiral(end, base.rotation - action.rotation)
+          : Shapes.coil(view.project(base.move(spring.base_place)), end),
+        key: `${look.key} ${spring.name}`,
+      };
+    });
+  }
+
   const still = (p) => p;
 
   function drawGhost(view) {
@@ -66,7 +83,7 @@ const Mechanism = (() => {
     view.paths('ghost-flexures', flexureItems(view, flexures.map((f) => f.axis), look));
   }
 
-  // Ground under every flexure end that a fixed body holds; a pin where it may turn there.
+  // Ground under every flexure or spring end that a fixed body holds; a pin where it may turn there.
   function drawGround(view) {
     const held = flexures.flatMap((flexure) => {
       const axis = flexure.axis;
@@ -78,6 +95,11 @@ const Mechanism = (() => {
       }
       return ends;
     });
+    for (const spring of State.data.drawing.springs.filter((s) => !s.torsional)) {
+      const [a, b] = [spring.base_place, spring.action_place];
+      if (bodies.get(spring.base).fixed) held.push([a, b, false]);
+      if (bodies.get(spring.action).fixed) held.push([b, a, false]);
+    }
     const symbols = held.map(([end, next, pinned]) => {
       const p = view.project(end);
       const q = view.project(next);
@@ -141,7 +163,7 @@ const Mechanism = (() => {
   }
 
   return {
-    extent, undeformedBox, flexureItems, jointItems, bodyItem, drawGhost, drawGround, find,
+    extent, undeformedBox, flexureItems, jointItems, bodyItem, springItems, drawGhost, drawGround, find,
     loadItems, still,
   };
 })();

@@ -3,7 +3,31 @@
 const MemberPlots = (() => {
   const { length } = State.units;
 
-  function make(host, study) {
+  // The largest stress of the chosen flexure along the path, and its strength.
+  function makePeaks(host, study, timeline) {
+    const { path } = study;
+    const { unit } = SectionForces.named('stress');
+    const chart = new Chart(host, {
+      ...PathPlots.optionsFor(timeline), title: `Largest stress along the path, ${unit}`,
+    });
+    State.follow(['flexure', 'hidden'], () => {
+      const k = State.chosen.flexure;
+      const lines = PathPlots.lines(path, timeline, (state) => (state.peaks || [])[k]);
+      const strength = path.strengths[k];
+      const far = d3.max(lines.flatMap((line) => line.points), (p) => p.y) || 0;
+      if (Numbers.isNumber(strength) && far > 0.1 * strength) {
+        lines.push({
+          label: 'strength',
+          colour: 'var(--faint)',
+          points: [0, timeline.end].map((x) => ({ x, y: strength })),
+        });
+      }
+      chart.show(lines);
+    });
+    State.follow(['position'], () => chart.mark(State.chosen.position));
+  }
+
+  function make(host, study, timeline) {
     const path = study.path;
     const withMembers = path.modelings.filter((m) => m.members.some((rows) => rows.length > 0));
     if (withMembers.length === 0) return;
@@ -33,6 +57,7 @@ const MemberPlots = (() => {
         })));
       }
     });
+    makePeaks(grid, study, timeline);
     section.append('h3').attr('class', 'extremes-title')
       .text('Largest in absolute value, and where');
     Tables.extremes(section.append('div').attr('id', 'extremes').node(), path);

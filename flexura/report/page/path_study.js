@@ -65,6 +65,21 @@ const PathStudy = (() => {
     view.paths('bodies', items);
   }
 
+  function drawSprings(view, path, shown) {
+    view.paths('springs', shown.flatMap(({ modeling, state }) => {
+      const carried = (name) => {
+        const b = path.bodies.indexOf(name);
+        if (b < 0) return { move: Mechanism.still, rotation: 0 };
+        const body = Motion.bodies.get(name);
+        return {
+          move: Motion.carry(body, state.bodies[b], modeling.modeling === 'linear'),
+          rotation: state.bodies[b][2],
+        };
+      };
+      return Mechanism.springItems(view, carried, lookOf(modeling, state));
+    }));
+  }
+
   // The whole path of every point, faint, and what is behind the slider, firm.
   function drawTraces(view, path, shown, timeline) {
     const line = d3.line();
@@ -102,18 +117,19 @@ const PathStudy = (() => {
     const add = (drawn) => { items.push(...drawn.items); texts.push(...drawn.texts); };
     if (shown.length > 0) {
       const { modeling, state } = shown[0];
-      const share = Math.abs(state.load_factor);
       for (const load of study.loads) {
+        const factor = load.constant ? 1 : state.load_factor;
+        const share = Math.abs(factor);
         const on = Mechanism.find(load.on);
         if (!on || share < 1e-3) continue;
         const b = study.path.bodies.indexOf(on.body.name);
         const pose = b >= 0 ? state.bodies[b] : [...on.body.centre, 0];
         const place = Motion.carry(on.body, pose, modeling.modeling === 'linear')(on.place);
         const turn = load.follower ? pose[2] : 0;
-        const [fx, fy] = load.force.map((v) => v * state.load_factor);
+        const [fx, fy] = load.force.map((v) => v * factor);
         const force = [fx * Math.cos(turn) - fy * Math.sin(turn),
           fx * Math.sin(turn) + fy * Math.cos(turn)];
-        add(Mechanism.loadItems(view, place, force, load.moment * state.load_factor, share));
+        add(Mechanism.loadItems(view, place, force, load.moment * factor, share));
       }
       if (state.reactions) drawReactions(view, study.path, modeling, state, add);
     }
@@ -139,6 +155,7 @@ const PathStudy = (() => {
     Mechanism.drawGhost(view);
     Mechanism.drawGround(view);
     const diagram = Diagrams.draw(view, shown);
+    drawSprings(view, study.path, shown);
     drawBodies(view, study.path, shown);
     view.paths('flexures', shown.flatMap(({ modeling, state }) => (
       Mechanism.flexureItems(view, state.axes, lookOf(modeling, state)))));
@@ -187,6 +204,7 @@ const PathStudy = (() => {
     const right = stage.append('section').attr('class', 'panel plots').node();
     PathPlots.make(right, study, subjects, timeline);
     if (path.held.length > 0) ReactionPlots.make(host, study, timeline);
+    StagePlots.make(host, study, timeline);
     State.follow(['position', 'hidden'], () => view.redraw());
     // Section forces are those of the last state, so that is where the reader is taken.
     State.follow(['diagram'], () => {
@@ -200,7 +218,7 @@ const PathStudy = (() => {
       table.textContent = '';
       Tables.comparison(table, path, subjects);
     });
-    MemberPlots.make(host, study);
+    MemberPlots.make(host, study, timeline);
   }
 
   return { make };

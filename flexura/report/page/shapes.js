@@ -102,5 +102,32 @@ const Shapes = (() => {
     return `M${start}${half} ${at(cx + dx, cy + dy)}${half} ${start}Z`;
   }
 
-  return { roundedHull, circle, arrow, momentArc, ground, ellipse };
+  // A coil between two places, straight for a while at both ends.
+  function coil(a, b, half = 5) {
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    if (length < 1) return '';
+    const [ex, ey] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+    const place = (along, across) => at(
+      a[0] + ex * along - ey * across, a[1] + ey * along + ex * across);
+    const lead = Math.min(10, 0.2 * length);
+    const turns = 2 * Math.round(Math.min(Math.max(length / 11, 3), 20));
+    const teeth = d3.range(turns).map((k) => place(
+      lead + (length - 2 * lead) * (k + 0.5) / turns, k % 2 ? half : -half));
+    return `M${at(...a)}L${place(lead, 0)}L${teeth.join('L')}L${place(length - lead, 0)}L${at(...b)}`;
+  }
+
+  // A flat spiral about a place, from the direction `angle` on the screen outwards.
+  function spiral([x, y], angle, radius = 13) {
+    const turns = 2.5;
+    const points = d3.range(0, 61).map((k) => {
+      const share = k / 60;
+      const a = angle + 2 * Math.PI * turns * share;
+      return at(x + radius * share * Math.cos(a), y + radius * share * Math.sin(a));
+    });
+    return `M${points.join('L')}`;
+  }
+
+  return {
+    roundedHull, circle, arrow, momentArc, ground, ellipse, coil, spiral,
+  };
 })();
