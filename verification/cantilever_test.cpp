@@ -129,7 +129,38 @@ TEST_P(AbaqusTip, IsTheSame) {
   }
 }
 
+/// The same bars tapered from 10 x 10 to 5 x 5 mm, under (-100, 100) N. 1e-4 of the length: how the
+/// published mesh follows the taper is not stated, and with one section an element a hundred
+/// elements miss its flexibility by 2e-5 to 8e-5 (measured 5.5e-5 and 3.5e-5).
+class AbaqusTaperedTip : public AbaqusTip {};
+
+TEST_P(AbaqusTaperedTip, IsTheSame) {
+  const auto& [name, axis, tip] = GetParam();
+  Mechanism m;
+  m.material(210e9, 210.0 / (2.0 * 80.0) - 1.0)
+      .section(RectangleSection{0.01, 0.01, TaperProfile{0.005}, TaperProfile{0.005}})
+      .fixed("ground")
+      .body("tip");
+  m.flexure("ground", "tip", axis);
+  for (const auto& settings : {exact(1e-10), beam(8, 4)}) {
+    const Pose found = final_pose(m, {m.load("tip", {-100.0, 100.0})}, settings, 1, 8);
+    note_measured(settings.label, norm(found.position - tip));
+    EXPECT_LT(norm(found.position - tip), 1e-4) << settings.label;
+  }
+}
+
 constexpr double abaqus_radius = 4.0 / std::numbers::pi;
+INSTANTIATE_TEST_SUITE_P(Verification, AbaqusTaperedTip,
+                         ::testing::Values(std::tuple{"straight",
+                                                      AxisShape{LineAxis{{0.0, 0.0}, {1.0, 0.0}}},
+                                                      Vec2{0.821444, 0.468253}},
+                                           std::tuple{"curved",
+                                                      AxisShape{ArcAxis{{0.0, abaqus_radius},
+                                                                        abaqus_radius,
+                                                                        -0.5 * std::numbers::pi,
+                                                                        1.0 / abaqus_radius}},
+                                                      Vec2{0.5767733162, 0.6594382286}}),
+                         [](const auto& test) { return std::get<0>(test.param); });
 INSTANTIATE_TEST_SUITE_P(Verification, AbaqusTip,
                          ::testing::Values(std::tuple{"straight",
                                                       AxisShape{LineAxis{{0.0, 0.0}, {1.0, 0.0}}},

@@ -1,5 +1,6 @@
 #include "flexura/geometry/section.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,18 +31,39 @@ SectionProperties section_properties(const Section& section) {
 
 SectionProperties section_properties(const Section& section, double s, double length) {
   Section local = section;
-  if (auto* r = std::get_if<RectangleSection>(&local))
-    r->thickness = profile_height(r->profile, r->thickness, s, length);
+  if (auto* r = std::get_if<RectangleSection>(&local)) {
+    r->thickness = profile_size(r->profile, r->thickness, s, length);
+    r->width = profile_size(r->width_profile, r->width, s, length);
+  }
   if (auto* c = std::get_if<CircleSection>(&local))
-    c->diameter = profile_height(c->profile, c->diameter, s, length);
+    c->diameter = profile_size(c->profile, c->diameter, s, length);
   return section_properties(local);
 }
 
-const Profile* varying_profile(const Section& section) {
-  const Profile* profile = nullptr;
-  if (const auto* r = std::get_if<RectangleSection>(&section)) profile = &r->profile;
-  if (const auto* c = std::get_if<CircleSection>(&section)) profile = &c->profile;
-  return profile && !std::holds_alternative<LeafProfile>(*profile) ? profile : nullptr;
+std::vector<const Profile*> varying_profiles(const Section& section) {
+  std::vector<const Profile*> profiles;
+  if (const auto* r = std::get_if<RectangleSection>(&section))
+    profiles = {&r->profile, &r->width_profile};
+  if (const auto* c = std::get_if<CircleSection>(&section)) profiles = {&c->profile};
+  std::erase_if(profiles, [](const Profile* p) { return std::holds_alternative<LeafProfile>(*p); });
+  return profiles;
+}
+
+bool section_varies(const Section& section) { return !varying_profiles(section).empty(); }
+
+std::vector<double> section_breaks(const Section& section, double length) {
+  std::vector<double> all{0.0, length};
+  for (const Profile* profile : varying_profiles(section)) {
+    const std::vector<double> own = profile_breaks(*profile, length);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end());
+  const double same = 1e-12 * length;  // two profiles may break at one place, but for rounding
+  std::vector<double> breaks{0.0};
+  for (const double s : all)
+    if (s > breaks.back() + same && s < length - same) breaks.push_back(s);
+  breaks.push_back(length);
+  return breaks;
 }
 
 }  // namespace flexura

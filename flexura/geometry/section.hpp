@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "flexura/geometry/section_profile.hpp"
 
@@ -11,7 +12,8 @@ namespace flexura {
 struct RectangleSection {
   double thickness = 0.0;
   double width = 0.0;
-  Profile profile = LeafProfile{};  ///< of the thickness along a flexure
+  Profile profile = LeafProfile{};        ///< of the thickness along a flexure
+  Profile width_profile = LeafProfile{};  ///< of the width along a flexure
 };
 
 struct CircleSection {
@@ -39,13 +41,18 @@ struct SectionProperties {
   double depth = 0.0;          ///< height in the plane of motion; extreme fibres at +-depth/2
 };
 
-/// Of the section's own thickness, without its profile.
+/// Of the section's own thickness and width, without its profiles.
 SectionProperties section_properties(const Section& section);
 
 /// At arc length s of a flexure of length `length`.
 SectionProperties section_properties(const Section& section, double s, double length);
 
-/// The profile of a section that varies along a flexure; null for others.
-const Profile* varying_profile(const Section& section);
+/// The profiles by which a section varies along a flexure; none if it does not.
+std::vector<const Profile*> varying_profiles(const Section& section);
+
+bool section_varies(const Section& section);
+
+/// Arc lengths between 0 and `length`, both included, between which the section is smooth.
+std::vector<double> section_breaks(const Section& section, double length);
 
 }  // namespace flexura

@@ -9,7 +9,7 @@ namespace {
 /// How much a circle of radius r has receded at x from where it is lowest.
 double recess(double x, double r) { return r - std::sqrt(std::max(0.0, (r - x) * (r + x))); }
 
-struct Height {
+struct Size {
   double t;
   double s;
   double length;
@@ -66,8 +66,8 @@ struct Breaks {
 
 }  // namespace
 
-double profile_height(const Profile& profile, double t, double s, double length) {
-  return std::visit(Height{t, s, length}, profile);
+double profile_size(const Profile& profile, double t, double s, double length) {
+  return std::visit(Size{t, s, length}, profile);
 }
 
 std::vector<double> profile_breaks(const Profile& profile, double length) {

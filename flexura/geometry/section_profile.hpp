@@ -27,6 +27,7 @@ struct PiecewiseProfile {
 struct NotchProfile {
   double a = 0.0;
   double b = 0.0;
+  bool stated_by_radius = false;  ///< "circular" in the model file, so that messages say the same
 };
 
 /// Quarter circles at both ends: t + 2 (r - sqrt(r^2 - (r - d)^2)) at d < r from the nearer end, t
@@ -35,14 +36,14 @@ struct FilletProfile {
   double radius = 0.0;
 };
 
-/// How a section's height t in the plane of motion (thickness, diameter) varies along a flexure.
+/// How a size t of a section (thickness, width, diameter) varies along a flexure.
 using Profile =
     std::variant<LeafProfile, TaperProfile, PiecewiseProfile, NotchProfile, FilletProfile>;
 
-/// The height at arc length s of a flexure of length `length`; `t` is the section's own.
-double profile_height(const Profile& profile, double t, double s, double length);
+/// The size at arc length s of a flexure of length `length`; `t` is the section's own.
+double profile_size(const Profile& profile, double t, double s, double length);
 
-/// Arc lengths between 0 and `length`, both included, between which the height is smooth.
+/// Arc lengths between 0 and `length`, both included, between which the size is smooth.
 std::vector<double> profile_breaks(const Profile& profile, double length);
 
 }  // namespace flexura

@@ -34,12 +34,12 @@ Profile read_profile(Reading& reading, const Place& place) {
   }
   TableReader round(reading, inside, vocabulary::round());
   const double radius = round.required_quantity("radius", dimensions::length);
-  if (*kind == "circular") return NotchProfile{radius, radius};
+  if (*kind == "circular") return NotchProfile{radius, radius, true};
   return FilletProfile{radius};
 }
 
-Profile read_optional_profile(Reading& reading, const TableReader& table) {
-  const auto place = table.find("profile");
+Profile read_optional_profile(Reading& reading, const TableReader& table, const std::string& key) {
+  const auto place = table.find(key);
   return place ? read_profile(reading, *place) : LeafProfile{};
 }
 
@@ -52,12 +52,13 @@ Section read_section(Reading& reading, const Place& place) {
     TableReader rectangle(reading, shape_place, vocabulary::rectangle());
     return RectangleSection{rectangle.required_quantity("thickness", dimensions::length),
                             rectangle.required_quantity("width", dimensions::length),
-                            read_optional_profile(reading, rectangle)};
+                            read_optional_profile(reading, rectangle, "profile"),
+                            read_optional_profile(reading, rectangle, "width_profile")};
   }
   if (*shape == "circle") {
     TableReader circle(reading, shape_place, vocabulary::circle());
     return CircleSection{circle.required_quantity("diameter", dimensions::length),
-                         read_optional_profile(reading, circle)};
+                         read_optional_profile(reading, circle, "profile")};
   }
   TableReader general(reading, shape_place, vocabulary::general());
   return GeneralSection{general.required_quantity("area", dimensions::area),

@@ -28,7 +28,7 @@ const Vocabulary& section() {
 }
 
 const Vocabulary& rectangle() {
-  static const Vocabulary v{{"thickness", "width", "profile"}, {}};
+  static const Vocabulary v{{"thickness", "width", "profile", "width_profile"}, {}};
   return v;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -13,21 +14,22 @@ enum class Shape { straight, symmetric, any };
 
 /// Constant or alike from both ends: what equal springs need.
 bool is_symmetric(const Section& section) {
-  const Profile* profile = varying_profile(section);
-  return !profile || std::holds_alternative<NotchProfile>(*profile) ||
-         std::holds_alternative<FilletProfile>(*profile);
+  const std::vector<const Profile*> profiles = varying_profiles(section);
+  return std::all_of(profiles.begin(), profiles.end(), [](const Profile* profile) {
+    return std::holds_alternative<NotchProfile>(*profile) ||
+           std::holds_alternative<FilletProfile>(*profile);
+  });
 }
 
 bool varies(const Model& model, const Flexure& flexure) {
   return flexure.section < model.sections.size() &&
-         varying_profile(model.sections[flexure.section].shape);
+         section_varies(model.sections[flexure.section].shape);
 }
 
 bool has_shape(const Model& model, const Flexure& flexure, Shape shape) {
   if (flexure.section < model.sections.size()) {
     const Section& section = model.sections[flexure.section].shape;
-    if (shape == Shape::symmetric ? !is_symmetric(section) : varying_profile(section) != nullptr)
-      return false;
+    if (shape == Shape::symmetric ? !is_symmetric(section) : section_varies(section)) return false;
   }
   if (shape == Shape::straight) return std::holds_alternative<LineAxis>(flexure.axis);
   return shape == Shape::any || !std::holds_alternative<SplineAxis>(flexure.axis);

@@ -1,13 +1,23 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "flexura/model/rules.hpp"
 
 namespace flexura {
 namespace {
 
-KeyPath profile_path(const NamedSection& section) {
+/// The profiles of a section with the keys they stand under.
+std::vector<std::pair<KeyPath, const Profile*>> stated_profiles(const NamedSection& section) {
   const KeyPath path = {"sections", section.name};
-  return path / (section.shape.index() == 0 ? "rectangle" : "circle") / "profile";
+  if (const auto* r = std::get_if<RectangleSection>(&section.shape))
+    return {{path / "rectangle" / "profile", &r->profile},
+            {path / "rectangle" / "width_profile", &r->width_profile}};
+  if (const auto* c = std::get_if<CircleSection>(&section.shape))
+    return {{path / "circle" / "profile", &c->profile}};
+  return {};
 }
 
 struct ProfileRules {
@@ -33,7 +43,7 @@ struct ProfileRules {
     }
   }
   void operator()(const NotchProfile& notch) const {
-    if (notch.a == notch.b) {
+    if (notch.stated_by_radius) {
       mistakes.require_positive(path / "circular" / "radius", notch.a);
       return;
     }
@@ -55,9 +65,9 @@ double length_needed(const Profile& profile) {
 void check_room(const Model& model, const Flexure& flexure, Mistakes& mistakes) {
   if (flexure.section >= model.sections.size()) return;
   const NamedSection& section = model.sections[flexure.section];
-  const Profile* profile = varying_profile(section.shape);
-  if (!profile) return;
-  const double needed = length_needed(*profile);
+  double needed = 0.0;
+  for (const Profile* profile : varying_profiles(section.shape))
+    needed = std::max(needed, length_needed(*profile));
   const auto* line = std::get_if<LineAxis>(&flexure.axis);
   const auto* arc = std::get_if<ArcAxis>(&flexure.axis);
   const auto* spline = std::get_if<SplineAxis>(&flexure.axis);
@@ -76,8 +86,8 @@ void check_room(const Model& model, const Flexure& flexure, Mistakes& mistakes) 
 
 void check_profiles(const Model& model, Mistakes& mistakes) {
   for (const NamedSection& section : model.sections)
-    if (const Profile* profile = varying_profile(section.shape))
-      std::visit(ProfileRules{profile_path(section), mistakes}, *profile);
+    for (const auto& [path, profile] : stated_profiles(section))
+      std::visit(ProfileRules{path, mistakes}, *profile);
   for (const Flexure& flexure : model.flexures) check_room(model, flexure, mistakes);
 }
 

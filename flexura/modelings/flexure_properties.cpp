@@ -48,8 +48,8 @@ struct Grading {
   }
 };
 
-std::vector<double> graded_breaks(const Section& shape, const Profile& profile, double length) {
-  const std::vector<double> kinks = profile_breaks(profile, length);
+std::vector<double> graded_breaks(const Section& shape, double length) {
+  const std::vector<double> kinks = section_breaks(shape, length);
   Grading grading{shape, length, {}, {0.0}};
   std::vector<std::array<double, 3>> parts;
   for (std::size_t k = 0; k + 1 < kinks.size(); ++k) {
@@ -112,9 +112,9 @@ FlexureProperties flexure_properties(const Model& model, const Flexure& flexure,
                                axial ? 1.0 / (e * section.area) : 0.0,
                                shear ? 1.0 / (g * section.shear_area) : 0.0};
   properties.area = section.area;
-  if (const Profile* profile = varying_profile(shape)) {
+  if (section_varies(shape)) {
     const double length = properties.axis.length();
-    VaryingSection varying{shape, e, g, graded_breaks(shape, *profile, length)};
+    VaryingSection varying{shape, e, g, graded_breaks(shape, length)};
     std::array<double, 3> total{};
     for (std::size_t k = 0; k + 1 < varying.breaks.size(); ++k) {
       const auto part = integrate(shape, length, varying.breaks[k], varying.breaks[k + 1]);

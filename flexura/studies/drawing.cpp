@@ -30,7 +30,7 @@ Drawing make_drawing(const Model& model) {
     for (int k = 0; k < station_count; ++k)
       drawn.axis.push_back(axis.position(axis.length() * k / (station_count - 1)));
     const Section& section = model.sections[flexure.section].shape;
-    if (varying_profile(section)) {
+    if (section_varies(section)) {
       for (int k = 0; k < station_count; ++k) {
         const double s = axis.length() * k / (station_count - 1);
         drawn.depths.push_back(section_properties(section, s, axis.length()).depth);

@@ -50,7 +50,7 @@ class FibreStress {
  public:
   FibreStress(const Model& model, const System& system, std::size_t flexure)
       : shape_(model.sections[model.flexures[flexure].section].shape),
-        varies_(varying_profile(shape_) != nullptr),
+        varies_(section_varies(shape_)),
         length_(system.layout().members[flexure].length),
         section_(section_properties(shape_)) {}
 

@@ -71,7 +71,8 @@ Model in_other_length_unit(Model model, double factor) {
   for (Material& material : model.materials) material.youngs_modulus /= factor * factor;
   for (NamedSection& section : model.sections) {
     if (auto* rectangle = std::get_if<RectangleSection>(&section.shape)) {
-      *rectangle = {factor * rectangle->thickness, factor * rectangle->width};
+      rectangle->thickness *= factor;
+      rectangle->width *= factor;
     } else if (auto* circle = std::get_if<CircleSection>(&section.shape)) {
       circle->diameter *= factor;
     } else {
