@@ -22,13 +22,33 @@ class PinRules {
                     fmt::format("body '{}' hangs on one pin: it takes no moment", body.name));
     }
     const Vec2 at = load.point ? body.points[*load.point].position : body_centre(model_, load.body);
-    constexpr double same_place = 1e-6;
-    const bool away = norm(at - *pin) > same_place * (norm(at) + norm(*pin));
-    if (away && load.force != Vec2{}) {
+    if (is_away(at, *pin) && load.force != Vec2{}) {
       mistakes_.add(path / "force",
                     fmt::format("body '{}' hangs on one pin at [{}, {}]: it takes no force at "
                                 "[{}, {}]",
                                 body.name, pin->x, pin->y, at.x, at.y));
+    }
+  }
+
+  void check(const Spring& spring, const KeyPath& path) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SpringEnd& end = i == 0 ? spring.base : spring.action;
+      if (end.body >= model_.bodies.size() || !pin_of(end.body)) continue;
+      const Body& body = model_.bodies[end.body];
+      if (spring.torsional) {
+        mistakes_.add(path / "torsional",
+                      fmt::format("body '{}' hangs on one pin and has no rotation of its own for "
+                                  "the spring to hold: pin fewer ends",
+                                  body.name));
+        continue;
+      }
+      if (end.point && *end.point >= body.points.size()) continue;
+      const Vec2 at = end.point ? body.points[*end.point].position : body_centre(model_, end.body);
+      if (is_away(at, *pin_of(end.body)))
+        mistakes_.add(path / "between" / i,
+                      fmt::format("body '{}' hangs on one pin at [{}, {}]: a spring pulls there or "
+                                  "not at all",
+                                  body.name, pin_of(end.body)->x, pin_of(end.body)->y));
     }
   }
 
@@ -44,6 +64,11 @@ class PinRules {
   }
 
  private:
+  static bool is_away(Vec2 at, Vec2 pin) {
+    constexpr double same_place = 1e-6;
+    return norm(at - pin) > same_place * (norm(at) + norm(pin));
+  }
+
   std::optional<Vec2> pin_of(std::size_t body) const {
     return model_.bodies[body].fixed ? std::nullopt : pins_[body];
   }
@@ -60,12 +85,15 @@ void check_pins(const Model& model, Mistakes& mistakes) {
   const auto check_all = [&rules](const auto& entries, const KeyPath& path) {
     for (std::size_t i = 0; i < entries.size(); ++i) rules.check(entries[i], path / i);
   };
+  for (const Spring& spring : model.springs) rules.check(spring, {"springs", spring.name});
   for (const Study& study : model.studies) {
     const KeyPath path = {"studies", study.name};
     if (const auto* linear = std::get_if<LinearStudy>(&study.kind)) {
       check_all(linear->loads, path / "loads");
     } else if (const auto* traced = std::get_if<PathStudy>(&study.kind)) {
       check_all(traced->loads, path / "loads");
+    } else if (const auto* buckling = std::get_if<BucklingStudy>(&study.kind)) {
+      check_all(buckling->loads, path / "loads");
     } else if (const auto* inverse = std::get_if<InverseStudy>(&study.kind)) {
       check_all(inverse->relative, path / "relative");
     }
