@@ -146,14 +146,16 @@ struct StudyRules {
       if (!carries_fields(study.modelings[m]))
         mistakes.add(path / "modelings" / m,
                      fmt::format("modeling '{}' carries no loads along its flexures and knows no "
-                                 "temperature: linear, scmbm and exact do, and beam of theory "
-                                 "exact with axial and shear strain",
+                                 "temperature: linear, scmbm and exact do, and beam: of theory "
+                                 "exact with axial and shear strain, von_karman or linear",
                                  modeling_name(study.modelings[m])));
   }
 
   static bool carries_fields(const ModelingSettings& settings) {
     if (const auto* beam = std::get_if<BeamSettings>(&settings.kind))
-      return beam->theory == BeamSettings::Theory::exact && settings.axial && settings.shear;
+      return beam->theory == BeamSettings::Theory::exact
+                 ? settings.axial && settings.shear
+                 : beam->theory != BeamSettings::Theory::printed;
     return !std::holds_alternative<PrbmSettings>(settings.kind) &&
            !std::holds_alternative<BcmSettings>(settings.kind);
   }

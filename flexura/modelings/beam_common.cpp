@@ -1,5 +1,6 @@
 #include "flexura/modelings/beam_common.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -57,6 +58,58 @@ void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3
     for (std::size_t k = 0; k < 3; ++k)
       response.flexibility(row, static_cast<Eigen::Index>(k)) =
           -lever[c] * columns[4 * (e.tip + c) + k + 1];
+  }
+}
+
+void eliminate_with_fields(const DisplacementElements& e, const Eigen::Vector3d& load,
+                           const double* y, double* scratch, TipResponse& response,
+                           FieldResponse& field) {
+  const std::size_t m = e.unknowns;
+  double* solved = scratch + 4 * m;
+  const double* coupling = scratch + 8 * m;
+  double* work = scratch + 12 * m;
+  std::copy_n(coupling, 4 * m, solved);
+  eliminate_displacements(e, load, y, work, response);
+  std::copy_n(work, 4 * m, scratch);
+  double* band = work + 4 * m;
+  int negative = 0;
+  const std::size_t size = m * (e.width + 1);
+  response.singular = !solve_symmetric(band, band_layout(m, e.width), band + size, band + 2 * size,
+                                       solved, negative) ||
+                      response.singular;
+  const double lever[3] = {e.length, e.length, 1.0};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto row = static_cast<Eigen::Index>(c);
+    field.tip_by_turn[row] -= lever[c] * solved[4 * (e.tip + c)];
+    field.tip_by_factor[row] -= lever[c] * solved[4 * (e.tip + c) + 1];
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    const double by_turn = coupling[4 * i];
+    field.by_turn -= by_turn * scratch[4 * i];
+    field.turn_turn -= by_turn * solved[4 * i];
+    field.turn_factor -= by_turn * solved[4 * i + 1];
+  }
+}
+
+/// The moment of w (r - r(s)) summed is that of w r, less r(s) x N(s).
+void add_dead_forces(const StationGrid& grid, const FlexureProperties& flexure,
+                     const Surroundings& surroundings, const std::vector<Vec2>& nodes,
+                     std::vector<SectionState>& states) {
+  const auto turned = [&](Vec2 v) {
+    return surroundings.load_factor * rotate(-surroundings.turn, v);
+  };
+  std::vector<double> moments;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    moments.push_back(cross(nodes[k], turned(flexure.load_at(grid.nodes[k].s))));
+  const StationGrid::Integral<double> sums = grid.integrate(moments);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    SectionState& state = states[k];
+    const Vec2 dead = turned(flexure.load_ahead(grid.s[k]));
+    const Vec2 t = unit(grid.angles[k] + state.pose.rotation);
+    state.axial_force += dot(dead, t);
+    state.shear_force += dot(dead, perp(t));
+    state.bending_moment +=
+        sums.at_stations.back() - sums.at_stations[k] - cross(state.pose.position, dead);
   }
 }
 

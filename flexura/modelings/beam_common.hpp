@@ -48,6 +48,13 @@ struct DisplacementElements {
 void eliminate_displacements(const DisplacementElements& e, const Eigen::Vector3d& load,
                              const double* y, double* scratch, TipResponse& response);
 
+/// The rest of TwoPort::linearize_in. Behind the first 8 m doubles, which hold the answer, the
+/// scratch has W_y,turn and W_y,factor (every four doubles) and then what `eliminate_displacements`
+/// asks for; `field` the partial derivatives of W.
+void eliminate_with_fields(const DisplacementElements& e, const Eigen::Vector3d& load,
+                           const double* y, double* scratch, TipResponse& response,
+                           FieldResponse& field);
+
 /// TwoPort::hessian of the same.
 Eigen::MatrixXd displacement_hessian(const DisplacementElements& e, double* scratch);
 
@@ -55,6 +62,12 @@ Eigen::MatrixXd displacement_hessian(const DisplacementElements& e, double* scra
 /// tip.
 SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
                         const Eigen::Vector3d& load);
+
+/// Adds to the sections' forces what acts along the flexure ahead of them; `nodes` are the places
+/// of the grid's nodes.
+void add_dead_forces(const StationGrid& grid, const FlexureProperties& flexure,
+                     const Surroundings& surroundings, const std::vector<Vec2>& nodes,
+                     std::vector<SectionState>& states);
 
 /// Exact beam elements with the forces as unknowns (see make_beam_port).
 std::shared_ptr<const TwoPort> make_force_beam_port(const FlexureProperties& flexure,

@@ -1,94 +1,16 @@
+#include "flexura/modelings/beam_hermite.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "flexura/core/jet2.hpp"
 #include "flexura/core/quadrature.hpp"
 #include "flexura/core/symmetric_factor.hpp"
 #include "flexura/energy/von_karman.hpp"
-#include "flexura/modelings/beam_common.hpp"
 #include "flexura/modelings/quintic_shape.hpp"
 #include "flexura/modelings/station_grid.hpp"
 
 namespace flexura {
-namespace {
-
-constexpr int gauss_points = 6;
-/// What the energy of an element depends on: elongation of its chord, slopes of its two end
-/// sections against the chord, second derivatives of the deflection there, shear strain.
-enum Deformation { elongation, slope_a, slope_b, bend_a, bend_b, shear, deformations };
-/// The unknowns behind them: per node displacement x, y, rotation, curvature; shear strain.
-constexpr std::size_t element_unknowns = 9;
-using Unknowns = Jet2<element_unknowns>;
-
-/// Von Karman elements in frames that follow the chord between their nodes: quintic deflection,
-/// and the axial displacement that makes the axial force constant, so that nothing locks. The
-/// linear theory is the quadratic expansion of the same energy about the drawn state.
-class HermiteBeamPort final : public TwoPort {
- public:
-  HermiteBeamPort(const FlexureProperties& flexure, BeamSettings settings);
-
-  std::size_t internal_size() const override { return 1 + elements() * (shears() ? 5 : 4); }
-  std::size_t scratch_size() const override {
-    return internal_size() * (4 + 2 * (width() + 1) + 1);
-  }
-  TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
-                        double* scratch) const override;
-  Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
-  std::vector<SectionState> sections(const Eigen::Vector3d& load,
-                                     std::span<const double> internal) const override;
-  std::shared_ptr<const TwoPort> refined() const override {
-    BeamSettings finer = settings_;
-    finer.elements *= 2;
-    return std::make_shared<HermiteBeamPort>(flexure_, finer);
-  }
-  void prolong(std::span<const double> internal, std::span<double> refined) const override;
-  double error_ratio() const override { return 4.0 / 3.0; }
-
- private:
-  /// An element as drawn.
-  struct Element {
-    Vec2 start;
-    Vec2 direction;
-    double length = 0.0;
-    std::array<double, 2> slopes;  // of the axis against the chord
-    std::array<double, 2> bends;   // second derivative of its graph
-    double tangent_angle = 0.0;    // of the chord
-  };
-  struct Energy {
-    double value = 0.0;
-    std::array<double, element_unknowns> gradient{};
-    std::array<std::array<double, element_unknowns>, element_unknowns> hessian{};
-  };
-  /// What the nodes' unknowns make of an element.
-  using Deformed = std::array<Unknowns, deformations>;
-
-  std::size_t elements() const { return static_cast<std::size_t>(settings_.elements); }
-  bool shears() const { return flexure_.shear_compliance > 0.0; }
-  std::size_t width() const { return shears() ? 8 : 7; }
-  /// Places of an element's unknowns in the flexure's; -1 for those of the clamped end.
-  std::array<int, element_unknowns> places(std::size_t element) const;
-  std::array<double, element_unknowns> gather(std::size_t element, const double* y) const;
-  Deformed deform(const Element& element, const std::array<double, element_unknowns>& v) const;
-  Energy energy(std::size_t element, const double* y) const;
-  void add_element(std::size_t element, const double* y, bool expand, double* residual,
-                   double* band, double& energy) const;
-  double assemble(const double* y, double* scratch) const;
-  DisplacementElements assembled() const {
-    return {internal_size(), width(), internal_size() - 4, length_, chord_};
-  }
-  /// Where the point `drawn` of the true axis has gone that lies at x in [0, 1] of an element: the
-  /// element carries along what its own axis lacks to it.
-  Pose axis_pose(std::size_t element, double x, Vec2 drawn, const double* y) const;
-  /// Pose of the section at x in [0, 1] of an element, rotation since the start.
-  Pose section_pose(std::size_t element, double x, const double* y) const;
-
-  FlexureProperties flexure_;
-  BeamSettings settings_;
-  std::vector<Element> elements_;
-  double length_ = 0.0;
-  Vec2 chord_;
-};
 
 HermiteBeamPort::HermiteBeamPort(const FlexureProperties& flexure, BeamSettings settings)
     : flexure_(flexure), settings_(settings), length_(flexure.axis.length()) {
@@ -119,7 +41,7 @@ HermiteBeamPort::HermiteBeamPort(const FlexureProperties& flexure, BeamSettings 
 
 /// [curvature of node 0], then per element [shear strain], displacement, rotation and curvature of
 /// its far node.
-std::array<int, element_unknowns> HermiteBeamPort::places(std::size_t element) const {
+auto HermiteBeamPort::places(std::size_t element) const -> std::array<int, element_unknowns> {
   const int per = shears() ? 5 : 4;
   const int own = 1 + static_cast<int>(element) * per;  // the element's first
   const int node = own - 4;                             // of the near node
@@ -128,8 +50,8 @@ std::array<int, element_unknowns> HermiteBeamPort::places(std::size_t element) c
   return {node, node + 1, node + 2, node + 3, far, far + 1, far + 2, far + 3, shears() ? own : -1};
 }
 
-std::array<double, element_unknowns> HermiteBeamPort::gather(std::size_t element,
-                                                             const double* y) const {
+auto HermiteBeamPort::gather(std::size_t element, const double* y) const
+    -> std::array<double, element_unknowns> {
   std::array<double, element_unknowns> v{};
   const auto at = places(element);
   for (std::size_t i = 0; i < element_unknowns; ++i)
@@ -166,8 +88,8 @@ auto HermiteBeamPort::deform(const Element& element,
 
 /// Gauss points give curvature energy and the mean axial strain, as functions of the deformations;
 /// the chain rule makes them functions of the unknowns.
-auto HermiteBeamPort::energy(std::size_t index, const double* y) const -> Energy {
-  using Point = Jet2<3>;  // w', w'', gamma
+auto HermiteBeamPort::energy(std::size_t index, const double* y, double heat) const -> Energy {
+  using Strains = Jet2<3>;  // w', w'', gamma
   const Element& element = elements_[index];
   const double l = element.length;
   const Deformed p = deform(element, gather(index, y));
@@ -178,7 +100,7 @@ auto HermiteBeamPort::energy(std::size_t index, const double* y) const -> Energy
   double value = 0.0;
   double mean = p[elongation].value / l;
   mean_g[elongation] = 1.0 / l;
-  const auto add = [](const Point& f, const std::array<std::array<double, deformations>, 3>& by,
+  const auto add = [](const Strains& f, const std::array<std::array<double, deformations>, 3>& by,
                       auto& gradient, auto& hessian) {
     for (std::size_t k = 0; k < deformations; ++k) {
       for (std::size_t v = 0; v < 3; ++v) gradient[k] += f.gradient[v] * by[v][k];
@@ -201,20 +123,21 @@ auto HermiteBeamPort::energy(std::size_t index, const double* y) const -> Energy
                           l * (n.slope[2] * element.bends[0] + n.slope[3] * element.bends[1]);
     const double bend0 = (n.bend[0] * element.slopes[0] + n.bend[1] * element.slopes[1]) / l +
                          n.bend[2] * element.bends[0] + n.bend[3] * element.bends[1];
-    const Point dw = Point::variable(0, at[0]);
-    const Point ddw = Point::variable(1, at[1]);
-    const Point gamma = Point::variable(2, at[2]);
-    Point strain = von_karman_axial_strain(Point(0.0), dw) - 0.5 * slope0 * slope0;
+    const Strains dw = Strains::variable(0, at[0]);
+    const Strains ddw = Strains::variable(1, at[1]);
+    const Strains gamma = Strains::variable(2, at[2]);
+    Strains strain = von_karman_axial_strain(Strains(0.0), dw) - 0.5 * slope0 * slope0;
     strain *= weight;
     mean += strain.value;
     add(strain, by, mean_g, mean_h);
-    const Point kappa = graph_curvature(dw - gamma, ddw) - graph_curvature(slope0, bend0);
-    Point bending = kappa * kappa;
+    const Strains kappa = graph_curvature(dw - gamma, ddw) - graph_curvature(slope0, bend0);
+    Strains bending = kappa * kappa;
     bending *= 0.5 * flexure_.bending_stiffness * weight * l * std::sqrt(1.0 + slope0 * slope0);
     value += bending.value;
     add(bending, by, g, h);
   }
   const double ea = l / flexure_.axial_compliance;
+  mean -= heat;
   value += 0.5 * ea * mean * mean;
   const double ga = shears() ? l / flexure_.shear_compliance : 0.0;
   value += 0.5 * ga * p[shear].value * p[shear].value;
@@ -223,11 +146,13 @@ auto HermiteBeamPort::energy(std::size_t index, const double* y) const -> Energy
 
   Energy out;
   out.value = value;
+  out.heat = -ea * mean;
   std::array<double, deformations> total = g;
   for (std::size_t k = 0; k < deformations; ++k) total[k] += ea * mean * mean_g[k];
   for (std::size_t k = 0; k < deformations; ++k) {
     for (std::size_t i = 0; i < element_unknowns; ++i) {
       out.gradient[i] += total[k] * p[k].gradient[i];
+      out.by_heat[i] -= ea * mean_g[k] * p[k].gradient[i];
       for (std::size_t j = 0; j < element_unknowns; ++j)
         out.hessian[i][j] += total[k] * p[k].second(i, j);
     }
@@ -242,18 +167,20 @@ auto HermiteBeamPort::energy(std::size_t index, const double* y) const -> Energy
   return out;
 }
 
-/// `expand`: residual and energy of the quadratic expansion about the drawn state.
-void HermiteBeamPort::add_element(std::size_t element, const double* y, bool expand,
+/// By the linear theory, residual and energy of the quadratic expansion about the drawn state.
+void HermiteBeamPort::add_element(std::size_t element, const double* y, double heat,
                                   double* residual, double* band, double& energy_sum) const {
-  const std::vector<double> rest(expand ? internal_size() : 0, 0.0);
-  Energy e = energy(element, expand ? rest.data() : y);
+  const std::vector<double> rest(is_linear() ? internal_size() : 0, 0.0);
+  Energy e = energy(element, is_linear() ? rest.data() : y, is_linear() ? 0.0 : heat);
   const auto at = places(element);
-  if (expand) {
+  if (is_linear()) {
     const auto v = gather(element, y);
+    e.value = 0.5 * heat * heat * elements_[element].length / flexure_.axial_compliance;
     for (std::size_t i = 0; i < element_unknowns; ++i) {
-      e.gradient[i] = 0.0;
-      for (std::size_t j = 0; j < element_unknowns; ++j) e.gradient[i] += e.hessian[i][j] * v[j];
-      e.value += 0.5 * e.gradient[i] * v[i];
+      double slope = 0.0;
+      for (std::size_t j = 0; j < element_unknowns; ++j) slope += e.hessian[i][j] * v[j];
+      e.value += (0.5 * slope + heat * e.by_heat[i]) * v[i];
+      e.gradient[i] = slope + heat * e.by_heat[i];
     }
   }
   energy_sum += e.value;
@@ -271,12 +198,11 @@ void HermiteBeamPort::add_element(std::size_t element, const double* y, bool exp
 }
 
 /// Gradient and Hessian of the strain energy into the scratch; the energy.
-double HermiteBeamPort::assemble(const double* y, double* scratch) const {
-  std::fill_n(scratch, scratch_size(), 0.0);
-  const bool expand = settings_.theory == BeamSettings::Theory::linear;
+double HermiteBeamPort::assemble(const double* y, double* scratch, double heat) const {
+  std::fill_n(scratch, internal_size() * (4 + 2 * (width() + 1) + 1), 0.0);
   double energy = 0.0;
   for (std::size_t e = 0; e < elements(); ++e)
-    add_element(e, y, expand, scratch, scratch + 4 * internal_size(), energy);
+    add_element(e, y, heat, scratch, scratch + 4 * internal_size(), energy);
   return energy;
 }
 
@@ -297,7 +223,7 @@ Eigen::MatrixXd HermiteBeamPort::hessian(const Eigen::Vector3d& /*load*/, const 
 Pose HermiteBeamPort::section_pose(std::size_t index, double x, const double* y) const {
   const Element& element = elements_[index];
   const auto v = gather(index, y);
-  const bool small = settings_.theory == BeamSettings::Theory::linear;
+  const bool small = is_linear();
   Deformed p = deform(element, small ? std::array<double, element_unknowns>{} : v);
   if (small)  // to first order
     for (Unknowns& part : p)
@@ -331,25 +257,9 @@ Pose HermiteBeamPort::axis_pose(std::size_t element, double x, Vec2 drawn, const
   const std::vector<double> rest(internal_size(), 0.0);
   Pose pose = section_pose(element, x, y);
   const Vec2 lack = drawn - section_pose(element, x, rest.data()).position;
-  const bool small = settings_.theory == BeamSettings::Theory::linear;
+  const bool small = is_linear();
   pose.position = pose.position + (small ? lack : rotate(pose.rotation, lack));
   return pose;
-}
-
-std::vector<SectionState> HermiteBeamPort::sections(const Eigen::Vector3d& load,
-                                                    std::span<const double> internal) const {
-  const StationGrid grid(flexure_.axis, flexure_.axis.breaks());
-  const std::size_t last = internal.size() - 4;
-  const Vec2 tip = chord_ + length_ * Vec2{internal[last], internal[last + 1]};
-  std::vector<SectionState> states;
-  for (std::size_t k = 0; k < grid.s.size(); ++k) {
-    const double place = grid.s[k] / length_ * settings_.elements;
-    const std::size_t e = std::min(elements() - 1, static_cast<std::size_t>(place));
-    const Pose moved =
-        axis_pose(e, place - static_cast<double>(e), grid.positions[k], internal.data());
-    states.push_back(section_at(grid, k, moved, tip, load));
-  }
-  return states;
 }
 
 void HermiteBeamPort::prolong(std::span<const double> internal, std::span<double> refined) const {
@@ -375,8 +285,6 @@ void HermiteBeamPort::prolong(std::span<const double> internal, std::span<double
     refined[static_cast<std::size_t>(second[8])] = v[8];
   }
 }
-
-}  // namespace
 
 std::shared_ptr<const TwoPort> make_hermite_beam_port(const FlexureProperties& flexure,
                                                       const BeamSettings& settings) {

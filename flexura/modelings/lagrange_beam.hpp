@@ -218,7 +218,6 @@ TipResponse LagrangeBeamPort<Density>::linearize_in(const Surroundings& surround
   const std::size_t m = internal_size();
   const double strain = flexure_.field.strain;
   const double heat = surroundings.load_factor * strain;
-  double* field_columns = scratch + 4 * m;
   double* field_coupling = scratch + 8 * m;
   double* work = scratch + 12 * m;
   TipResponse response;
@@ -234,28 +233,7 @@ TipResponse LagrangeBeamPort<Density>::linearize_in(const Surroundings& surround
   field.by_factor = strain * by_heat;
   dead_.add(surroundings, mesh_.length, y, work, field_coupling, field);
   response.strain_energy -= strain != 0.0 ? heat * by_heat : 0.0;
-  std::copy_n(field_coupling, 4 * m, field_columns);
-  // of the tip's load on the unknowns, before they are solved for
-  eliminate_displacements(elements(), load, y, work, response);
-  std::copy_n(work, 4 * m, scratch);
-  double* band = work + 4 * m;
-  int negative = 0;
-  const std::size_t size = m * (width() + 1);
-  response.singular =
-      response.singular || !solve_symmetric(band, band_layout(m, width()), band + size,
-                                            band + 2 * size, field_columns, negative);
-  const double lever[3] = {mesh_.length, mesh_.length, 1.0};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto row = static_cast<Eigen::Index>(c);
-    field.tip_by_turn[row] -= lever[c] * field_columns[4 * (m - 3 + c)];
-    field.tip_by_factor[row] -= lever[c] * field_columns[4 * (m - 3 + c) + 1];
-  }
-  for (std::size_t i = 0; i < m; ++i) {
-    const double by_turn = field_coupling[4 * i];
-    field.by_turn -= by_turn * scratch[4 * i];
-    field.turn_turn -= by_turn * field_columns[4 * i];
-    field.turn_factor -= by_turn * field_columns[4 * i + 1];
-  }
+  eliminate_with_fields(elements(), load, y, scratch, response, field);
   return response;
 }
 
@@ -284,24 +262,10 @@ std::vector<SectionState> LagrangeBeamPort<Density>::sections_in(
   for (std::size_t k = 0; k < grid.s.size(); ++k)
     states.push_back(section_at(grid, k, moved_at(grid.s[k], grid.positions[k]), tip, load));
   if (!feels_surroundings()) return states;
-  // with the moment of what lies ahead: that of w (r - r(s)) = that of w r, less r(s) x N(s)
-  const auto turned = [&](Vec2 v) {
-    return surroundings.load_factor * rotate(-surroundings.turn, v);
-  };
-  std::vector<double> moments;
+  std::vector<Vec2> nodes;
   for (const StationGrid::Node& node : grid.nodes)
-    moments.push_back(
-        cross(moved_at(node.s, node.position).position, turned(flexure_.load_at(node.s))));
-  const StationGrid::Integral<double> sums = grid.integrate(moments);
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    SectionState& state = states[k];
-    const Vec2 dead = turned(flexure_.load_ahead(grid.s[k]));
-    const Vec2 t = unit(grid.angles[k] + state.pose.rotation);
-    state.axial_force += dot(dead, t);
-    state.shear_force += dot(dead, perp(t));
-    state.bending_moment +=
-        sums.at_stations.back() - sums.at_stations[k] - cross(state.pose.position, dead);
-  }
+    nodes.push_back(moved_at(node.s, node.position).position);
+  add_dead_forces(grid, flexure_, surroundings, nodes, states);
   return states;
 }
 

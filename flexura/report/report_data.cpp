@@ -57,12 +57,23 @@ Json loads_json(const std::vector<DrawnLoad>& loads) {
   return list;
 }
 
+Json fields_json(const DrawnFields& fields) {
+  Json spread = Json::array();
+  for (const auto& load : fields.spread)
+    spread.push_back({{"flexure", load.flexure}, {"per_length", pair(load.per_length)}});
+  return {{"spread", std::move(spread)},
+          {"gravity", pair(fields.gravity)},
+          {"temperature", rounded(fields.temperature)},
+          {"constant", fields.constant}};
+}
+
 Json study_json(const StudyResult& study, const DrawnCoordinates& coordinates) {
   Json json = {{"name", study.name},
                {"kind", study.kind},
                {"converged", study.termination.converged()},
                {"reason", study.termination.reason},
-               {"loads", loads_json(study.loads)}};
+               {"loads", loads_json(study.loads)},
+               {"fields", fields_json(study.fields)}};
   if (const auto* path = std::get_if<PathResult>(&study.content)) {
     json["path"] = make_path_json(*path, coordinates);
   } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {

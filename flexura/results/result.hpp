@@ -61,11 +61,24 @@ struct DrawnLoad {
   bool constant = false;
 };
 
+/// What acts along flexures and on masses, as drawn: at full load factor.
+struct DrawnFields {
+  struct Spread {
+    std::size_t flexure = 0;  ///< index into Drawing::flexures
+    Vec2 per_length;
+  };
+  std::vector<Spread> spread = {};
+  Vec2 gravity;
+  double temperature = 0.0;
+  bool constant = false;
+};
+
 struct StudyResult {
   std::string name;
   std::string kind;  ///< "linear", "path", "buckling", "inverse"
   Termination termination;
   std::vector<DrawnLoad> loads;
+  DrawnFields fields = {};
   std::variant<LinearResult, PathResult, ModeResult> content;
 };
 

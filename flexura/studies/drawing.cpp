@@ -52,6 +52,13 @@ Drawing make_drawing(const Model& model) {
   return drawing;
 }
 
+DrawnFields make_drawn_fields(const FieldLoads& fields) {
+  DrawnFields drawn{{}, fields.gravity, fields.temperature, fields.constant};
+  for (const SpreadLoad& load : fields.spread)
+    drawn.spread.push_back({load.flexure, load.per_length});
+  return drawn;
+}
+
 std::vector<DrawnLoad> make_drawn_loads(const Model& model, const std::vector<Load>& loads) {
   std::vector<DrawnLoad> drawn;
   for (const Load& load : loads) {

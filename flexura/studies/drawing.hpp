@@ -12,4 +12,6 @@ Drawing make_drawing(const Model& model);
 
 std::vector<DrawnLoad> make_drawn_loads(const Model& model, const std::vector<Load>& loads);
 
+DrawnFields make_drawn_fields(const FieldLoads& fields);
+
 }  // namespace flexura

@@ -96,6 +96,7 @@ class Run {
   void prepare(const PathStudy& study, StudyResult& result) {
     result.kind = "path";
     result.loads = make_drawn_loads(model_, study.loads);
+    result.fields = make_drawn_fields(study.fields);
     PathResult path = make_path_names(model_);
     path.held = held_places(model_, study.prescribe);
     path.by_arc_length = study.arc_length;

@@ -100,7 +100,7 @@ class StageReader {
 
   static void add_principal(const Eigen::Matrix2d& c, StageState& state) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(c);
-    const Eigen::Vector2d values = principal.eigenvalues();
+    const Eigen::Vector2d& values = principal.eigenvalues();
     const double largest = values.cwiseAbs().maxCoeff();
     for (const int i : {0, 1}) {
       if (!(std::abs(values[i]) > rigid * largest)) continue;

@@ -286,6 +286,23 @@ class ReportTest(unittest.TestCase):
             self.assertGreaterEqual(self.browser.script(count, ".condensed tbody tr"), 3)
         self.assertGreater(stages, 0, "no study shows a stage")
 
+    def test_fields_are_drawn_and_named(self):
+        seen = 0
+        for study in self.studies:
+            self.open_study(study)
+            if self.kind() != "path":
+                continue
+            self.seek(1.0)
+            arrows = self.browser.script(
+                "return [...document.querySelectorAll('.fields path')]"
+                ".map((path) => path.getAttribute('d'))")
+            self.assertFalse(any("NaN" in d or not d for d in arrows))
+            header = self.browser.script(
+                "return document.querySelector('.study-header').textContent")
+            self.assertEqual(len(arrows) > 0, "along" in header or "gravity" in header)
+            seen += len(arrows)
+        self.assertGreater(seen, 0)
+
     def test_springs_follow_the_mechanism(self):
         drawn = ("return [...document.querySelectorAll('.springs path')]"
                  ".map((path) => path.getAttribute('d'))")

@@ -192,6 +192,7 @@ Result make_sample_result() {
   stop_after(path.modelings[1], 13);
   lifted.termination = {Status::stopped, "scmbm stopped at load factor 0.65"};
   lifted.content = std::move(path);
+  lifted.fields = {{{1, {0.0, -1e-4}}}, {0.0, -9810.0}, 20.0, false};
   result.studies.push_back(std::move(lifted));
 
   result.studies.push_back(make_inverse_study());

@@ -17,12 +17,24 @@
 
   const vector = (v) => `(${v.map((x) => Numbers.short(x)).join(', ')})`;
 
-  function loadText({ on, force, moment, follower }) {
+  function loadText({ on, force, moment, follower, constant }) {
     const { units } = State;
     const parts = [];
     if (force[0] !== 0 || force[1] !== 0) parts.push(`force ${vector(force)} ${units.force}`);
     if (moment !== 0) parts.push(`moment ${Numbers.short(moment)} ${units.force}·${units.length}`);
-    return `${parts.join(' and ') || 'no load'} on ${on}${follower ? ', turning with it' : ''}`;
+    return `${parts.join(' and ') || 'no load'} on ${on}${follower ? ', turning with it' : ''}`
+      + `${constant ? ', there from the start' : ''}`;
+  }
+
+  function fieldTexts({ spread, gravity, temperature, constant }) {
+    const { length, force, time } = State.units;
+    const texts = spread.map(({ flexure, per_length: q }) => (
+      `${vector(q)} ${force}/${length} along ${data.drawing.flexures[flexure].name}`));
+    if (gravity[0] !== 0 || gravity[1] !== 0) {
+      texts.push(`gravity ${vector(gravity)} ${length}/${time}²`);
+    }
+    if (temperature !== 0) texts.push(`${Numbers.short(temperature)} degrees of temperature`);
+    return texts.map((text) => `${text}${constant ? ', there from the start' : ''}`);
   }
 
   function headline(study) {
@@ -36,6 +48,9 @@
     header.append('p').attr('class', 'study-kind').text(kinds[study.kind] || study.kind);
     for (const load of study.loads) {
       header.append('p').attr('class', 'faint').text(loadText(load));
+    }
+    for (const text of fieldTexts(study.fields)) {
+      header.append('p').attr('class', 'faint').text(text);
     }
     if (!study.converged && study.reason) {
       header.append('p').attr('class', 'study-stopped').text(study.reason);

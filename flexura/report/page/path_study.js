@@ -137,6 +137,35 @@ const PathStudy = (() => {
     view.texts('load-names', texts);
   }
 
+  // A row of arrows along every flexure that carries a distributed load, and one for gravity.
+  function drawFields(view, fields, shown) {
+    const items = [];
+    const texts = [];
+    if (shown.length > 0) {
+      const { state } = shown[0];
+      const share = fields.constant ? 1 : Math.abs(state.load_factor);
+      const sign = fields.constant || state.load_factor >= 0 ? 1 : -1;
+      const arrow = (tip, [x, y], length) => {
+        const angle = Math.atan2(-sign * y, sign * x);
+        const { shaft, head } = Shapes.arrow(tip, angle, length);
+        items.push({ d: shaft, class: 'load-shaft' }, { d: head, class: 'load-head' });
+      };
+      for (const { flexure, per_length: q } of share < 1e-3 ? [] : fields.spread) {
+        const axis = state.axes[flexure];
+        const step = Math.max(1, Math.floor((axis.length - 1) / 8));
+        for (let k = 0; k < axis.length; k += step) {
+          arrow(view.project(axis[k]), q, 8 + 12 * share);
+        }
+      }
+      if (Math.hypot(...fields.gravity) > 0 && share >= 1e-3) {
+        arrow([26, 24 + 22], fields.gravity, 14 + 20 * share);
+        texts.push({ at: [40, 34], anchor: 'start', text: 'gravity' });
+      }
+    }
+    view.paths('fields', items);
+    view.texts('field-names', texts);
+  }
+
   function drawReactions(view, path, modeling, state, add) {
     const sizes = modeling.states.flatMap((s) => s.reactions || [])
       .map(([x, y]) => Math.hypot(x, y));
@@ -164,6 +193,7 @@ const PathStudy = (() => {
         Mechanism.jointItems(view, state.axes, lookOf(modeling, state)))));
     drawTraces(view, study.path, shown, timeline);
     drawLoads(view, study, shown);
+    drawFields(view, study.fields, shown);
     drawNames(view, study.path);
     Diagrams.drawPeaks(view, diagram);
     return diagram.caption;
