@@ -10,7 +10,9 @@
 #include "flexura/core/vec2.hpp"
 #include "flexura/geometry/axis_curve.hpp"
 #include "flexura/geometry/section.hpp"
+#include "flexura/model/loads.hpp"
 #include "flexura/model/modeling_settings.hpp"
+#include "flexura/model/motion.hpp"
 
 namespace flexura {
 
@@ -51,8 +53,9 @@ struct Body {
   std::vector<Point> points;
   std::optional<Vec2> centre;  ///< by default the first flexure end on the body
   double mass = 0.0;
-  double inertia = 0.0;
+  double inertia = 0.0;  ///< about the centre
   SourcePosition source;
+  bool free = false;  ///< need not be supported: it flies
 };
 
 struct Flexure {
@@ -87,44 +90,8 @@ struct Spring {
   bool torsional = false;
   std::optional<double> free;     ///< length, or relative rotation
   std::optional<double> preload;  ///< force of the spring as drawn, positive where it pulls
+  double damping = 0.0;  ///< force per rate of length; torsional: moment per rate of rotation
   SourcePosition source;
-};
-
-/// A force and a moment on a body, at one of its points or, without one, at its centre. A
-/// follower load turns with the body.
-struct Load {
-  std::size_t body = 0;
-  std::optional<std::size_t> point;
-  Vec2 force;
-  double moment = 0.0;
-  bool follower = false;
-  bool constant = false;  ///< there before the others grow
-};
-
-/// A dead force per length along a flexure's undeformed axis.
-struct SpreadLoad {
-  std::size_t flexure = 0;
-  Vec2 per_length;
-};
-
-/// What acts along flexures and on masses, growing with the loads or there before them.
-struct FieldLoads {
-  std::vector<SpreadLoad> spread;
-  Vec2 gravity;              ///< acceleration of all mass
-  double temperature = 0.0;  ///< change, of all flexures
-  bool constant = false;
-
-  bool act() const { return !spread.empty() || norm(gravity) > 0.0 || temperature != 0.0; }
-};
-
-/// A displacement or rotation of a body, at one of its points or, without one, at its centre, that
-/// is imposed instead of a load. Components left out are free.
-struct Prescribed {
-  std::size_t body = 0;
-  std::optional<std::size_t> point;
-  std::optional<double> x;  ///< final displacements
-  std::optional<double> y;
-  std::optional<double> rotation;
 };
 
 /// Study `linear`: compliance matrices and ellipses of elasticity about the drawn state; `loads`
@@ -213,7 +180,9 @@ struct InverseStudy {
 
 struct Study {
   std::string name;
-  std::variant<LinearStudy, PathStudy, BucklingStudy, InverseStudy> kind;
+  std::variant<LinearStudy, PathStudy, BucklingStudy, InverseStudy, ModesStudy, TransientStudy,
+               ResponseStudy>
+      kind;
   SourcePosition source;
 };
 
@@ -226,6 +195,8 @@ struct Model {
   std::vector<Body> bodies;
   std::vector<Flexure> flexures;
   std::vector<Spring> springs;
+  std::vector<Joint> joints;
+  std::vector<Driver> drivers;
   std::vector<Study> studies;
 };
 

@@ -213,6 +213,18 @@ struct StudyRules {
     check_modelings(model, study.modelings, study.reference, path, mistakes);
   }
 
+  void operator()(const ModesStudy& study) const {
+    check_modelings(model, study.modelings, study.reference, path, mistakes);
+  }
+  void operator()(const TransientStudy& study) const {
+    check_loads(study.loads);
+    check_modelings(model, study.modelings, study.reference, path, mistakes);
+  }
+  void operator()(const ResponseStudy& study) const {
+    check_loads(study.loads);
+    check_modelings(model, study.modelings, study.reference, path, mistakes);
+  }
+
   /// Howell's load ratios are found by iteration under load control.
   void check_load_ratios(const std::vector<ModelingSettings>& modelings) const {
     for (std::size_t m = 0; m < modelings.size(); ++m) {

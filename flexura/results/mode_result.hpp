@@ -20,11 +20,19 @@ struct ModeShape {
 
 /// A mode about an equilibrium.
 struct Mode {
-  double value = 0.0;  ///< load factor
+  /// Of study `buckling` the load factor; of `modes` the angular frequency, negative where the
+  /// mode is unstable and grows at that rate.
+  double value = 0.0;
   ModeShape shape;
   // The equilibrium, for drawing:
   std::vector<Pose> bodies;
   std::vector<std::vector<Vec2>> axes;
+};
+
+/// The lowest frequencies about one state of a path.
+struct FrequencyPoint {
+  double load_factor = 0.0;
+  std::vector<double> angular_frequencies;  ///< negative: see Mode::value
 };
 
 /// One modeling's modes.
@@ -33,6 +41,7 @@ struct ModelingModes {
   std::string modeling;
   Termination termination;
   std::vector<Mode> modes;
+  std::vector<FrequencyPoint> curve;  ///< along a path, where it is asked for
   int unknowns = 0;
   double seconds = 0.0;
   /// Largest relative change of a value by refining; absent where nothing can be refined.
@@ -41,7 +50,7 @@ struct ModelingModes {
   std::optional<double> difference;
 };
 
-/// All modelings of one study of kind `buckling`.
+/// All modelings of one study of kind `buckling` or `modes`.
 struct ModeResult {
   std::vector<std::string> bodies;  ///< moving bodies
   std::vector<std::string> points;  ///< "body.point", of moving bodies

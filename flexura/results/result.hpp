@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "flexura/core/vec2.hpp"
 #include "flexura/results/ellipse.hpp"
 #include "flexura/results/mode_result.hpp"
+#include "flexura/results/motion_result.hpp"
 #include "flexura/results/path_result.hpp"
 
 namespace flexura {
@@ -45,11 +47,21 @@ struct DrawnSpring {
   bool torsional = false;
 };
 
+/// A joint as drawn: a pin at a place, or a slider there along a direction.
+struct DrawnJoint {
+  std::string name;
+  std::string base;
+  std::string action;
+  Vec2 at;
+  std::optional<Vec2> direction;
+};
+
 /// The mechanism before any load, to scale.
 struct Drawing {
   std::vector<DrawnFlexure> flexures;
   std::vector<DrawnBody> bodies;
   std::vector<DrawnSpring> springs = {};
+  std::vector<DrawnJoint> joints = {};
 };
 
 /// A load as drawn: at full load factor.
@@ -59,6 +71,7 @@ struct DrawnLoad {
   double moment = 0.0;
   bool follower = false;
   bool constant = false;
+  std::string history = {};  ///< in words, of a study of motion; empty: there from the start
 };
 
 /// What acts along flexures and on masses, as drawn: at full load factor.
@@ -75,11 +88,11 @@ struct DrawnFields {
 
 struct StudyResult {
   std::string name;
-  std::string kind;  ///< "linear", "path", "buckling", "inverse"
+  std::string kind;  ///< "linear", "path", "buckling", "inverse", "modes", "transient", "response"
   Termination termination;
   std::vector<DrawnLoad> loads;
   DrawnFields fields = {};
-  std::variant<LinearResult, PathResult, ModeResult> content;
+  std::variant<LinearResult, PathResult, ModeResult, MotionResult, ResponseResult> content;
 };
 
 /// Everything a run found out, in the file's declared units, rotations in radians.

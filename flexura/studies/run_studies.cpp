@@ -123,6 +123,13 @@ class Run {
     result.content = std::move(path);
   }
 
+  void prepare(const ModesStudy&, StudyResult&) {}
+  void prepare(const TransientStudy&, StudyResult&) {}
+  void prepare(const ResponseStudy&, StudyResult&) {}
+  void add_tasks(const ModesStudy&, StudyResult&) {}
+  void add_tasks(const TransientStudy&, StudyResult&) {}
+  void add_tasks(const ResponseStudy&, StudyResult&) {}
+
   void add_tasks(const LinearStudy& study, StudyResult& result) {
     tasks_.push_back([this, &study, &result] {
       result.content = run_linear(model_, study, result.termination);

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <variant>
+#include <vector>
+
+namespace flexura {
+
+/// A function of time with its first two derivatives.
+struct HistoryValue {
+  double value = 0.0;
+  double rate = 0.0;
+  double second = 0.0;
+};
+
+/// Zero before `at`, one from then on.
+struct StepHistory {
+  double at = 0.0;
+};
+
+/// From zero at `start` to one at `end`; `smooth`: with the quintic whose first two derivatives
+/// vanish at both.
+struct RampHistory {
+  double start = 0.0;
+  double end = 0.0;
+  bool smooth = false;
+};
+
+/// sin(pi (t - start)/duration) while it is positive the first time, else zero.
+struct HalfSineHistory {
+  double start = 0.0;
+  double duration = 0.0;
+};
+
+/// sin(angular_frequency t + phase).
+struct HarmonicHistory {
+  double angular_frequency = 0.0;
+  double phase = 0.0;
+};
+
+/// t itself, in time units: what moves at constant speed.
+struct LinearHistory {};
+
+/// Values at ascending times, joined by straight lines or, `smooth`, by the natural cubic spline
+/// through them. Nothing is known outside.
+struct TableHistory {
+  std::vector<double> times;
+  std::vector<double> values;
+  bool smooth = false;
+};
+
+/// Any other function; its derivatives are taken by differences.
+struct FunctionHistory {
+  std::function<double(double)> function;
+};
+
+/// How something comes and goes in time: a factor on a load, or on an imposed displacement.
+using TimeHistory = std::variant<StepHistory, RampHistory, HalfSineHistory, HarmonicHistory,
+                                 LinearHistory, TableHistory, FunctionHistory>;
+
+HistoryValue evaluate_history(const TimeHistory& history, double time);
+
+/// Times within (from, to) at which the history or its first derivative jumps, ascending: time
+/// steps should end there.
+std::vector<double> history_breaks(const TimeHistory& history, double from, double to);
+
+/// Up to which time the history is known; infinite but for tables.
+double history_end(const TimeHistory& history);
+
+}  // namespace flexura
