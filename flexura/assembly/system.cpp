@@ -31,30 +31,15 @@ System::System(SystemLayout layout) : layout_(std::move(layout)) {
 }
 
 void System::number_unknowns() {
-  int next = 0;
-  for (const auto& body : layout_.bodies) {
-    BodyIndex index;
-    if (body.moves) {
-      index.position = next;
-      next += 2;
-      if (body.turns) index.rotation = next++;
-    }
-    bodies_.push_back(index);
-  }
-  for (const auto& member : layout_.members) {
-    const BodyIndex& a = bodies_[member.base];
-    const BodyIndex& b = bodies_[member.action];
+  Numbering numbering(layout_);
+  bodies_ = std::move(numbering.bodies);
+  for (const Numbering::Member& member : numbering.members) {
     MemberIndex index{};
-    const int own_base = member.pinned_base ? next++ : a.rotation;
-    const int own_action = member.pinned_action ? next++ : b.rotation;
-    const int unknowns[port_unknowns] = {
-        a.position, a.position < 0 ? -1 : a.position + 1, a.rotation, own_base,
-        b.position, b.position < 0 ? -1 : b.position + 1, b.rotation, own_action};
-    std::copy(std::begin(unknowns), std::end(unknowns), std::begin(index.unknowns));
+    index.unknowns = member.unknowns;
     members_.push_back(index);
   }
-  moving_ = static_cast<std::size_t>(next);
-  primary_ = moving_ + layout_.prescribed.size();
+  moving_ = numbering.moving;
+  primary_ = moving_ + layout_.prescribed.size() + 2 * layout_.joints.size();
   size_ = primary_ + 3 * members_.size();
   std::size_t scratch = 0;
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -92,6 +77,12 @@ void System::set_scale() {
     const bool turns =
         layout_.prescribed[i].component == SystemLayout::Prescribed::Component::rotation;
     scale_[static_cast<Eigen::Index>(moving_ + i)] = 1.0 / (turns ? turn : length_ * turn);
+  }
+  for (std::size_t i = 0; i < layout_.joints.size(); ++i) {
+    const bool slides = layout_.joints[i].kind == SystemLayout::Joint::Kind::prismatic;
+    const auto row = static_cast<Eigen::Index>(joint_index(i));
+    scale_[row] = 1.0 / (length_ * turn);
+    scale_[row + 1] = 1.0 / (slides ? turn : length_ * turn);
   }
 }
 
@@ -192,7 +183,7 @@ double System::distance(const std::vector<double>& a, const std::vector<double>&
 }
 
 Eigen::Vector3d System::reaction(std::size_t body, const std::vector<double>& z) const {
-  Eigen::Vector3d sum = spring_reaction(body, z);
+  Eigen::Vector3d sum = spring_reaction(body, z) + joint_reaction(body, z);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const auto& member = layout_.members[k];
     if (member.base != body && member.action != body) continue;

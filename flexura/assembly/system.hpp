@@ -1,90 +1,31 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "flexura/assembly/joint.hpp"
+#include "flexura/assembly/numbering.hpp"
 #include "flexura/assembly/port_kinematics.hpp"
-#include "flexura/assembly/two_port.hpp"
+#include "flexura/assembly/system_layout.hpp"
 #include "flexura/core/jet2.hpp"
 #include "flexura/core/symmetric_factor.hpp"
 #include "flexura/core/vec2.hpp"
 
 namespace flexura {
 
-/// How a mechanism is put together, before any unknown has a number.
-struct SystemLayout {
-  struct Body {
-    Vec2 centre;        ///< as drawn
-    bool moves = true;  ///< has unknowns; a body that does not is held at a pose
-    bool turns = true;  ///< has a rotation among them
-  };
-  struct Member {
-    std::size_t base = 0;  ///< bodies
-    std::size_t action = 0;
-    bool pinned_base = false;
-    bool pinned_action = false;
-    PortArms arms;
-    double length = 1.0;             ///< sizes the unknowns: translations and moments
-    double bending_stiffness = 1.0;  ///< EI, likewise
-    /// Of the place on the action body where the end is fastened, from where the end is drawn:
-    /// what assembly closes.
-    Vec2 misfit;
-    double misfit_rotation = 0.0;
-    std::shared_ptr<const TwoPort> port;
-  };
-  struct Load {  ///< at full load factor, on a point of a body
-    std::size_t body = 0;
-    Vec2 arm;  ///< from the body's centre, as drawn
-    Vec2 force;
-    double moment = 0.0;
-    bool follower = false;
-    bool constant = false;  ///< comes with assembly, and stays
-  };
-
-  /// A displacement or rotation of a point of a body that is imposed, in proportion to the load
-  /// factor.
-  struct Prescribed {
-    enum class Component { x, y, rotation };
-    std::size_t body = 0;
-    Vec2 arm;  ///< from the body's centre, as drawn
-    Component component = Component::x;
-    double value = 0.0;  ///< at load factor 1
-  };
-
-  /// Between points of two bodies, or, torsional, between the bodies' rotations.
-  struct Spring {
-    std::size_t base = 0;
-    std::size_t action = 0;
-    Vec2 base_arm;  ///< from the body's centre, as drawn
-    Vec2 action_arm;
-    double stiffness = 0.0;  ///< force per length, or moment per radian
-    double free = 0.0;       ///< length, or relative rotation, without force
-    bool torsional = false;
-    double misfit = 0.0;  ///< `free` less the length as drawn: comes with assembly
-  };
-
-  std::vector<Body> bodies;
-  std::vector<Member> members;
-  std::vector<Load> loads;
-  std::vector<Spring> springs;
-  std::vector<Prescribed> prescribed;
-  /// What acts along flexures and on temperature comes with assembly, and stays.
-  bool constant_fields = false;
-  /// Small displacements: kinematics to first order about the drawn state.
-  bool linearised = false;
-};
-
 /// A mechanism as unknowns, equilibrium equations and their tangent. The unknowns z are the
 /// displacements and rotations of the bodies (and rotations of pinned ends), the reaction of
-/// everything prescribed, the load (force x, force y, moment, in axes of the base section) of every
-/// flexure, and each flexure's internal unknowns; equilibrium is a stationary point of the
-/// potential
+/// everything prescribed, the two forces of every joint, the load (force x, force y, moment, in
+/// axes of the base section) of every flexure, and each flexure's internal unknowns; equilibrium is
+/// a stationary point of the potential
 ///     sum_k [ W_k(y_k, load_k) + load_k . relative_pose_k(q) ] - load_factor * (work of loads)
-///         - sum_i reaction_i (displacement_i(q) - load_factor * value_i).
+///         - sum_i reaction_i (displacement_i(q) - load_factor * value_i) - sum_j force_j .
+///         gap_j(q).
 /// Internal unknowns are eliminated flexure by flexure, and so is the load of every flexure whose
 /// flexibility is regular; the load of one that cannot stretch, say, stays. What remains is one
 /// symmetric matrix, whose inertia tells stability. Follower loads make it unsymmetric.
@@ -184,6 +125,11 @@ class System {
   }
   /// Its place in z.
   std::size_t reaction_index(std::size_t i) const { return moving_ + i; }
+  /// What a joint exerts on its action body: a force x, y, or a force across its direction and a
+  /// moment.
+  Vec2 joint_force(std::size_t i, const std::vector<double>& z) const {
+    return {z[joint_index(i)], z[joint_index(i) + 1]};
+  }
   /// Sum of dead loads' forces times the displacements of their points, less that of prescribed
   /// values times their reactions, at load factor 1: minus the derivative of the potential by the
   /// load factor. While assembling, of what assembly brings.
@@ -214,14 +160,11 @@ class System {
   std::vector<double> prolong(const std::vector<double>& z, const System& refined) const;
 
  private:
-  struct BodyIndex {
-    int position = -1;  // of x; y follows. -1: held
-    int rotation = -1;
-  };
+  using BodyIndex = Numbering::Body;
   struct MemberIndex {
-    int unknowns[port_unknowns];  // indices into z, -1 where held
-    std::size_t load = 0;         // into z
-    std::size_t internal = 0;     // into z
+    std::array<int, port_unknowns> unknowns;  // indices into z, -1 where held
+    std::size_t load = 0;                     // into z
+    std::size_t internal = 0;                 // into z
     std::size_t scratch = 0;
     double force_scale = 1.0;   // sqrt(EI/L)/L
     double moment_scale = 1.0;  // sqrt(EI/L)
@@ -245,6 +188,11 @@ class System {
   void keep_load(std::size_t member, const Eigen::Matrix3d& flexibility);
   void add_load(const SystemLayout::Load& load, const std::vector<double>& z);
   void add_prescribed(std::size_t i, const std::vector<double>& z);
+  std::size_t joint_index(std::size_t i) const {
+    return moving_ + layout_.prescribed.size() + 2 * i;
+  }
+  std::array<Jet2<6>, 2> gaps_of(std::size_t joint, const std::vector<double>& z) const;
+  void add_joint(std::size_t i, const std::vector<double>& z);
   void add_misfit_rate(std::size_t member, const std::vector<double>& z, const RelativePose& pose);
   /// The tip's velocity against the closing body while the load factor grows, in base axes.
   Eigen::Vector3d misfit_rate(std::size_t member, const std::vector<double>& z,
@@ -254,14 +202,10 @@ class System {
   bool fields_grow() const { return layout_.constant_fields == assembling_; }
   double dead_work(bool growing, const std::vector<double>& z) const;
   void add_spring(const SystemLayout::Spring& spring, const std::vector<double>& z);
-  struct SpringVector {
-    Jet2<6> x, y;
-  };
-  SpringVector spring_vector(const SystemLayout::Spring& spring,
-                             const std::vector<double>& z) const;
   Jet2<6> spring_length(const SystemLayout::Spring& spring, const std::vector<double>& z) const;
   Jet2<6> spring_potential(const SystemLayout::Spring& spring, const std::vector<double>& z) const;
   Eigen::Vector3d spring_reaction(std::size_t body, const std::vector<double>& z) const;
+  Eigen::Vector3d joint_reaction(std::size_t body, const std::vector<double>& z) const;
   bool factorize();
   void solve_scaled(Eigen::VectorXd& b) const;
   /// What else an eliminated unknown follows, besides the reduced ones.
@@ -274,7 +218,7 @@ class System {
   std::vector<Pose> held_;
   std::vector<RelativePose> drawn_;  // at the undeformed state, for linearised kinematics
   std::size_t moving_ = 0;           // unknowns of bodies and pinned ends
-  std::size_t primary_ = 0;          // and reactions of what is prescribed
+  std::size_t primary_ = 0;          // and reactions of what is prescribed, and of joints
   std::size_t size_ = 0;
   double load_factor_ = 0.0;
   double assembly_ = 1.0;  // share of it
@@ -286,7 +230,7 @@ class System {
   Eigen::VectorXd scale_;        // symmetric scaling of the reduced unknowns
   Eigen::VectorXd step_weight_;  // of bodies' unknowns in the size of a Newton step
   std::vector<MemberTangent> tangents_;
-  Eigen::Index reduced_ = 0;  // bodies' unknowns, prescribed reactions, then kept loads
+  Eigen::Index reduced_ = 0;  // bodies' unknowns, reactions, joints, then kept loads
   Eigen::MatrixXd tangent_;   // its leading reduced_ rows and columns are in use
   Eigen::VectorXd residual_;
   Eigen::VectorXd load_vector_;  // of all loads at full load factor, at the last z

@@ -12,6 +12,7 @@ Eigen::MatrixXd System::hessian(const std::vector<double>& z) {
   for (const auto& spring : layout_.springs) add_spring(spring, z);
   for (const auto& load : layout_.loads) add_load(load, z);
   for (std::size_t i = 0; i < layout_.prescribed.size(); ++i) add_prescribed(i, z);
+  for (std::size_t i = 0; i < layout_.joints.size(); ++i) add_joint(i, z);
 
   const auto n = static_cast<Eigen::Index>(size_);
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(n, n);
@@ -90,14 +91,14 @@ void System::critical_direction(std::vector<double>& direction) const {
 Eigen::MatrixXd System::place_compliance(std::span<const Place> places,
                                          const std::vector<double>& z) const {
   const auto moving = static_cast<Eigen::Index>(moving_);
-  const auto primary = static_cast<Eigen::Index>(primary_);
-  const Eigen::Index kept = reduced_ - primary;
+  const auto first = moving + static_cast<Eigen::Index>(layout_.prescribed.size());
+  const Eigen::Index kept = reduced_ - first;  // joints, loads
   const Eigen::Index n = moving + kept;
   Eigen::MatrixXd stiffness(n, n);
   stiffness.topLeftCorner(moving, moving) = tangent_.topLeftCorner(moving, moving);
-  stiffness.bottomRightCorner(kept, kept) = tangent_.block(primary, primary, kept, kept);
-  stiffness.topRightCorner(moving, kept) = tangent_.block(0, primary, moving, kept);
-  stiffness.bottomLeftCorner(kept, moving) = tangent_.block(primary, 0, kept, moving);
+  stiffness.bottomRightCorner(kept, kept) = tangent_.block(first, first, kept, kept);
+  stiffness.topRightCorner(moving, kept) = tangent_.block(0, first, moving, kept);
+  stiffness.bottomLeftCorner(kept, moving) = tangent_.block(first, 0, kept, moving);
 
   const auto columns = static_cast<Eigen::Index>(3 * places.size());
   Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(n, columns);  // of the places by the unknowns

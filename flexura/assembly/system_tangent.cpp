@@ -201,6 +201,7 @@ bool System::linearize(const std::vector<double>& z) {
   for (const auto& spring : layout_.springs) add_spring(spring, z);
   for (const auto& load : layout_.loads) add_load(load, z);
   for (std::size_t i = 0; i < layout_.prescribed.size(); ++i) add_prescribed(i, z);
+  for (std::size_t i = 0; i < layout_.joints.size(); ++i) add_joint(i, z);
   if (feels_surroundings_ || assembling_)
     for (std::size_t k = 0; k < members_.size(); ++k) add_field_rate(k);
   return residual_.head(reduced_).allFinite() && factorize();
@@ -278,8 +279,8 @@ void System::load_direction(std::vector<double>& direction) const {
 }
 
 int System::unstable_directions() const {
-  const int closures =
-      3 * static_cast<int>(members_.size()) + static_cast<int>(layout_.prescribed.size());
+  const int closures = 3 * static_cast<int>(members_.size()) +
+                       static_cast<int>(layout_.prescribed.size() + 2 * layout_.joints.size());
   if (!follower_) return factor_.negative() + eliminated_negative_ - closures;
   int sign = lu_.permutationP().determinant() > 0 ? 0 : 1;
   for (Eigen::Index i = 0; i < lu_.rows(); ++i)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace flexura {
 
@@ -27,8 +28,8 @@ struct BandLayout {
   std::size_t shift = 0;  ///< of the column index in row 0; decreases by `slide` from row to row
   std::size_t slide = 0;
 
-  double* row(double* a, std::size_t i) const { return a + i * row_stride + shift - i * slide; }
-  const double* row(const double* a, std::size_t i) const {
+  template <class T>
+  T* row(T* a, std::size_t i) const {
     return a + i * row_stride + shift - i * slide;
   }
 };
@@ -43,27 +44,29 @@ inline BandLayout band_layout(std::size_t n, std::size_t width) {
 /// Of the largest entry below it. Newton corrects the digits that a pivot above this loses.
 inline constexpr double weak_pivot = 1e-8;
 
-/// `column` is scratch for n doubles.
-inline LdltInertia factorize_ldlt(double* __restrict a, const BandLayout& layout,
-                                  double* __restrict column) {
+/// `column` is scratch for n numbers. Of a complex (symmetric, not Hermitian) matrix nothing is
+/// counted.
+template <class T>
+LdltInertia factorize_ldlt(T* __restrict a, const BandLayout& layout, T* __restrict column) {
   LdltInertia inertia;
   for (std::size_t j = 0; j < layout.n; ++j) {
-    const double pivot = layout.row(a, j)[j];
+    const T pivot = layout.row(a, j)[j];
     double largest = 0.0;
-    if (pivot < 0.0) ++inertia.negative;
+    if constexpr (std::is_same_v<T, double>)
+      if (pivot < 0.0) ++inertia.negative;
     const std::size_t end = std::min(layout.n, j + layout.width + 1);
     for (std::size_t i = j + 1; i < end; ++i) {
       column[i] = layout.row(a, i)[j];
       largest = std::max(largest, std::abs(column[i]));
     }
-    if (!(std::abs(pivot) > weak_pivot * largest) || pivot == 0.0) {
+    if (!(std::abs(pivot) > weak_pivot * largest) || pivot == T{}) {
       inertia.weak = true;
       return inertia;
     }
-    const double inverse = 1.0 / pivot;
+    const T inverse = 1.0 / pivot;
     for (std::size_t i = j + 1; i < end; ++i) {
-      double* __restrict row = layout.row(a, i);
-      const double l = column[i] * inverse;
+      T* __restrict row = layout.row(a, i);
+      const T l = column[i] * inverse;
       for (std::size_t k = j + 1; k <= i; ++k) row[k] -= l * column[k];
       row[j] = l;
     }
@@ -71,23 +74,36 @@ inline LdltInertia factorize_ldlt(double* __restrict a, const BandLayout& layout
   return inertia;
 }
 
+/// y = A x for a symmetric matrix whose lower triangle is laid out so.
+inline void multiply_symmetric(const double* a, const BandLayout& layout, const double* x,
+                               double* y) {
+  for (std::size_t i = 0; i < layout.n; ++i) {
+    const double* row = layout.row(a, i);
+    y[i] = row[i] * x[i];
+    for (std::size_t j = i > layout.width ? i - layout.width : 0; j < i; ++j) {
+      y[i] += row[j] * x[j];
+      y[j] += row[j] * x[i];
+    }
+  }
+}
+
 /// Solves in place for `Columns` right-hand sides, interleaved: b[i * Columns + c].
-template <std::size_t Columns>
-void solve_ldlt(const double* __restrict a, const BandLayout& layout, double* __restrict b) {
+template <std::size_t Columns, class T>
+void solve_ldlt(const T* __restrict a, const BandLayout& layout, T* __restrict b) {
   const std::size_t n = layout.n;
   for (std::size_t j = 0; j < n; ++j) {
-    const double* row = layout.row(a, j);
-    double* bj = b + j * Columns;
+    const T* row = layout.row(a, j);
+    T* bj = b + j * Columns;
     for (std::size_t k = j > layout.width ? j - layout.width : 0; k < j; ++k)
       for (std::size_t c = 0; c < Columns; ++c) bj[c] -= row[k] * b[k * Columns + c];
   }
   for (std::size_t j = 0; j < n; ++j) {
-    const double inverse = 1.0 / layout.row(a, j)[j];
+    const T inverse = 1.0 / layout.row(a, j)[j];
     for (std::size_t c = 0; c < Columns; ++c) b[j * Columns + c] *= inverse;
   }
   for (std::size_t j = n; j-- > 0;) {
-    const double* row = layout.row(a, j);
-    const double* bj = b + j * Columns;
+    const T* row = layout.row(a, j);
+    const T* bj = b + j * Columns;
     for (std::size_t k = j > layout.width ? j - layout.width : 0; k < j; ++k)
       for (std::size_t c = 0; c < Columns; ++c) b[k * Columns + c] -= row[k] * bj[c];
   }

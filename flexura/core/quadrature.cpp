@@ -77,14 +77,32 @@ QuadratureRule make_gauss_lobatto(int n) {
   return rule;
 }
 
-/// Rules are asked for again and again, and node search is not free.
-template <class Make>
-const QuadratureRule& cached(int n, Make make, std::mutex& mutex,
-                             std::map<int, std::unique_ptr<QuadratureRule>>& rules) {
+/// The polynomial through the h-th node alone is sum_i (i + 1/2) w_h P_i(x_h) P_i(x), i < n, as the
+/// rule is exact for products of these.
+std::vector<double> make_partial_integrals(int n) {
+  const QuadratureRule& rule = gauss_legendre(n);
+  const auto count = static_cast<std::size_t>(n);
+  std::vector<double> partial(count * count, 0.0), values(count), integrals(count);
+  for (std::size_t g = 0; g < count; ++g) {
+    integrate_legendre(rule.nodes[g], integrals);
+    for (std::size_t h = 0; h < count; ++h) {
+      evaluate_legendre(rule.nodes[h], values);
+      for (std::size_t i = 0; i < count; ++i)
+        partial[g * count + h] +=
+            0.5 * (static_cast<double>(i) + 0.5) * rule.weights[h] * values[i] * integrals[i];
+    }
+  }
+  return partial;
+}
+
+/// Tables are asked for again and again, and making one is not free.
+template <class Make, class Table>
+const Table& cached(int n, Make make, std::mutex& mutex,
+                    std::map<int, std::unique_ptr<Table>>& tables) {
   const std::scoped_lock lock(mutex);
-  auto& rule = rules[n];
-  if (!rule) rule = std::make_unique<QuadratureRule>(make(n));
-  return *rule;
+  auto& table = tables[n];
+  if (!table) table = std::make_unique<Table>(make(n));
+  return *table;
 }
 
 }  // namespace
@@ -99,6 +117,12 @@ const QuadratureRule& gauss_lobatto(int n) {
   static std::mutex mutex;
   static std::map<int, std::unique_ptr<QuadratureRule>> rules;
   return cached(n, make_gauss_lobatto, mutex, rules);
+}
+
+const std::vector<double>& gauss_partial_integrals(int n) {
+  static std::mutex mutex;
+  static std::map<int, std::unique_ptr<std::vector<double>>> tables;
+  return cached(n, make_partial_integrals, mutex, tables);
 }
 
 void evaluate_legendre(double x, std::span<double> values) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "flexura/core/jet2.hpp"
 
 namespace flexura {
@@ -17,6 +19,22 @@ Scalar reissner_mixed_potential(const Scalar& theta, const Scalar& fx, const Sca
                                 const Compliance& shear_compliance) {
   const auto [ft, fn] = in_turned_axes(theta, fx, fy);
   return -(ft + half_square(axial_compliance, ft) + half_square(shear_compliance, fn));
+}
+
+/// Derivative of the deformed axis by the arc length: (1 + eps) t + gamma n, where the section's
+/// tangent is at the angle theta.
+template <class Scalar>
+struct AxisSlope {
+  Scalar x;
+  Scalar y;
+};
+template <class Scalar>
+AxisSlope<Scalar> reissner_axis_slope(const Scalar& theta, const Scalar& stretch,
+                                      const Scalar& gamma) {
+  using std::cos, std::sin;
+  const Scalar c = cos(theta);
+  const Scalar s = sin(theta);
+  return {stretch * c - gamma * s, stretch * s + gamma * c};
 }
 
 /// Stiffnesses of a section: EA, GA_s, EI.

@@ -4,9 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "flexura/assembly/motion_port.hpp"
 #include "flexura/assembly/two_port.hpp"
 #include "flexura/model/modeling_settings.hpp"
 #include "flexura/modelings/beam_mesh.hpp"
+#include "flexura/modelings/flexure_inertia.hpp"
 #include "flexura/modelings/station_grid.hpp"
 
 namespace flexura {
@@ -76,6 +78,14 @@ std::shared_ptr<const TwoPort> make_force_beam_port(const FlexureProperties& fle
 /// Elements by von Karman's strains or by the linear theory. Precondition: axial compliance > 0.
 std::shared_ptr<const TwoPort> make_hermite_beam_port(const FlexureProperties& flexure,
                                                       const BeamSettings& settings);
+
+/// Their motion: see motion_ports.hpp.
+std::shared_ptr<const MotionPort> make_force_beam_motion_port(const FlexureProperties& flexure,
+                                                              const FlexureInertia& inertia,
+                                                              const BeamSettings& settings);
+std::shared_ptr<const MotionPort> make_hermite_motion_port(const FlexureProperties& flexure,
+                                                           const FlexureInertia& inertia,
+                                                           const BeamSettings& settings);
 
 /// The first source's elements as it prints them. Preconditions: a straight axis, axial compliance
 /// > 0.

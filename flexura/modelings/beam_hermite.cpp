@@ -37,6 +37,7 @@ HermiteBeamPort::HermiteBeamPort(const FlexureProperties& flexure, BeamSettings 
     }
     elements_.push_back(element);
   }
+  rest_.assign(internal_size(), 0.0);
 }
 
 /// [curvature of node 0], then per element [shear strain], displacement, rotation and curvature of
@@ -170,8 +171,7 @@ auto HermiteBeamPort::energy(std::size_t index, const double* y, double heat) co
 /// By the linear theory, residual and energy of the quadratic expansion about the drawn state.
 void HermiteBeamPort::add_element(std::size_t element, const double* y, double heat,
                                   double* residual, double* band, double& energy_sum) const {
-  const std::vector<double> rest(is_linear() ? internal_size() : 0, 0.0);
-  Energy e = energy(element, is_linear() ? rest.data() : y, is_linear() ? 0.0 : heat);
+  Energy e = energy(element, is_linear() ? rest_.data() : y, is_linear() ? 0.0 : heat);
   const auto at = places(element);
   if (is_linear()) {
     const auto v = gather(element, y);
@@ -197,12 +197,12 @@ void HermiteBeamPort::add_element(std::size_t element, const double* y, double h
   }
 }
 
-/// Gradient and Hessian of the strain energy into the scratch; the energy.
-double HermiteBeamPort::assemble(const double* y, double* scratch, double heat) const {
-  std::fill_n(scratch, internal_size() * (4 + 2 * (width() + 1) + 1), 0.0);
+double HermiteBeamPort::assemble(const double* y, double* columns, double* band,
+                                 double heat) const {
+  std::fill_n(columns, 4 * internal_size(), 0.0);
+  std::fill_n(band, internal_size() * (width() + 1), 0.0);
   double energy = 0.0;
-  for (std::size_t e = 0; e < elements(); ++e)
-    add_element(e, y, heat, scratch, scratch + 4 * internal_size(), energy);
+  for (std::size_t e = 0; e < elements(); ++e) add_element(e, y, heat, columns, band, energy);
   return energy;
 }
 

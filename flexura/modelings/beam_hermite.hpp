@@ -43,14 +43,32 @@ class HermiteBeamPort final : public TwoPort {
   void prolong(std::span<const double> internal, std::span<double> refined) const override;
   double error_ratio() const override { return 4.0 / 3.0; }
 
+  /// The unknowns of an element: per node displacement x, y, rotation, curvature; shear strain.
+  static constexpr std::size_t element_unknowns = 9;
+  using Unknowns = Jet2<element_unknowns>;
+  /// Places of an element's unknowns in the flexure's; -1 for those of the clamped end.
+  std::array<int, element_unknowns> places(std::size_t element) const;
+  /// Half bandwidth of the energy's Hessian.
+  std::size_t width() const { return shears() ? 8 : 7; }
+  /// As MotionPort::weights.
+  std::vector<double> weights() const;
+  /// As LagrangeBeamPort::assemble.
+  double assemble(const double* y, double* columns, double* band, double heat) const;
+  /// Puts the load on the tip into `columns`; where the tip is.
+  Eigen::Vector3d add_tip_load(const Eigen::Vector3d& load, const double* y, double* columns) const;
+  /// Where the axis is at x in [0, 1] of an element, and the direction of the section there (or of
+  /// the axis), by the element's unknowns.
+  using PlaceJets = std::array<Unknowns, 2>;
+  PlaceJets place_at(std::size_t element, double x, const double* y) const;
+  PlaceJets direction_at(std::size_t element, double x, const double* y, bool along_axis) const;
+  /// Sections with the forces of their strains.
+  std::vector<SectionState> strained_sections(std::span<const double> internal) const;
+
  private:
   static constexpr int gauss_points = 6;
   /// What the energy of an element depends on: elongation of its chord, slopes of its two end
   /// sections against the chord, second derivatives of the deflection there, shear strain.
   enum Deformation { elongation, slope_a, slope_b, bend_a, bend_b, shear, deformations };
-  /// The unknowns behind them: per node displacement x, y, rotation, curvature; shear strain.
-  static constexpr std::size_t element_unknowns = 9;
-  using Unknowns = Jet2<element_unknowns>;
 
   /// An element as drawn.
   struct Element {
@@ -78,14 +96,10 @@ class HermiteBeamPort final : public TwoPort {
 
   std::size_t elements() const { return static_cast<std::size_t>(settings_.elements); }
   bool shears() const { return flexure_.shear_compliance > 0.0; }
-  std::size_t width() const { return shears() ? 8 : 7; }
-  /// Places of an element's unknowns in the flexure's; -1 for those of the clamped end.
-  std::array<int, element_unknowns> places(std::size_t element) const;
   std::array<double, element_unknowns> gather(std::size_t element, const double* y) const;
   Deformed deform(const Element& element, const std::array<double, element_unknowns>& v) const;
   Energy energy(std::size_t element, const double* y, double heat) const;
-  DeadWork dead_work(std::size_t element, const std::array<double, element_unknowns>& v,
-                     double turn) const;
+  DeadWork dead_work(std::size_t element, const double* y, double turn) const;
   void add_dead(std::size_t element, const double* y, const Surroundings& surroundings,
                 double* work, double* coupling, FieldResponse& field) const;
   void add_heat(std::size_t element, const double* y, double load_factor, double* coupling,
@@ -93,7 +107,21 @@ class HermiteBeamPort final : public TwoPort {
   bool is_linear() const { return settings_.theory == BeamSettings::Theory::linear; }
   void add_element(std::size_t element, const double* y, double heat, double* residual,
                    double* band, double& energy) const;
-  double assemble(const double* y, double* scratch, double heat = 0.0) const;
+  double assemble(const double* y, double* scratch, double heat = 0.0) const {
+    return assemble(y, scratch, scratch + 4 * internal_size(), heat);
+  }
+  /// Slope and second derivative of an element's deflection at x, of the deformed state and drawn.
+  struct Graph {
+    double slope = 0.0;
+    double bend = 0.0;
+    double drawn_slope = 0.0;
+    double drawn_bend = 0.0;
+  };
+  Graph graph_at(std::size_t element, double x, const Deformed& deformed) const;
+  Deformed deformed_values(std::size_t element, const double* y) const;
+  PlaceJets to_first_order(PlaceJets jets, const std::array<double, element_unknowns>& v) const;
+  double axial_force(std::size_t element, const double* y) const;
+  double bending_moment(std::size_t element, double x, const double* y) const;
   DisplacementElements assembled() const {
     return {internal_size(), width(), internal_size() - 4, length_, chord_};
   }
@@ -106,6 +134,7 @@ class HermiteBeamPort final : public TwoPort {
   FlexureProperties flexure_;
   BeamSettings settings_;
   std::vector<Element> elements_;
+  std::vector<double> rest_;  // unknowns of the drawn state
   double length_ = 0.0;
   Vec2 chord_;
 };

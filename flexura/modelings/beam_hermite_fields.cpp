@@ -9,43 +9,19 @@
 
 namespace flexura {
 
-/// At Gauss points, from the places of the element's own axis; what those lack to the true axis, of
-/// sixth order in the element's length, keeps its direction.
-auto HermiteBeamPort::dead_work(std::size_t index, const std::array<double, element_unknowns>& v,
-                                double turn) const -> DeadWork {
-  const Element& element = elements_[index];
-  const double l = element.length;
+/// At Gauss points.
+auto HermiteBeamPort::dead_work(std::size_t element, const double* y, double turn) const
+    -> DeadWork {
   const double arc = length_ / static_cast<double>(elements());
-  const Deformed p = deform(element, v);
-  const Unknowns ux = Unknowns::variable(0, v[0]), uy = Unknowns::variable(1, v[1]);
-  const Unknowns cx =
-      length_ * (Unknowns::variable(4, v[4]) - ux) + Unknowns(l * element.direction.x);
-  const Unknowns cy =
-      length_ * (Unknowns::variable(5, v[5]) - uy) + Unknowns(l * element.direction.y);
-  const Unknowns inverse_chord = inverse(p[elongation] + l);
-  const Vec2 origin = flexure_.axis.position(0.0);
   const QuadratureRule& rule = gauss_legendre(gauss_points);
   DeadWork work;
   for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
     const double x = 0.5 * (1.0 + rule.nodes[q]);
-    const double s = arc * (static_cast<double>(index) + x);
-    const QuinticShape n = quintic_shape(x);
-    const auto graph = [&](const auto& slope0, const auto& slope1, const auto& bend0,
-                           const auto& bend1) {
-      return l * (n.value[0] * slope0 + n.value[1] * slope1) +
-             l * l * (n.value[2] * bend0 + n.value[3] * bend1);
-    };
-    const Unknowns w =
-        graph(p[slope_a] + p[shear], p[slope_b] + p[shear], p[bend_a], p[bend_b]) * inverse_chord;
-    const Vec2 now = (0.5 * rule.weights[q] * arc) * rotate(-turn, flexure_.load_at(s));
-    const double drawn_w =
-        graph(element.slopes[0], element.slopes[1], element.bends[0], element.bends[1]);
-    const Vec2 own = element.start + x * l * element.direction + drawn_w * perp(element.direction);
-    const Vec2 lack = flexure_.axis.position(s) - origin - own;
-    const Unknowns rx = length_ * ux + x * cx - w * cy + (element.start.x + lack.x);
-    const Unknowns ry = length_ * uy + x * cy + w * cx + (element.start.y + lack.y);
-    work.now += now.x * rx + now.y * ry;
-    work.by_turn += now.y * rx - now.x * ry;
+    const Vec2 load = flexure_.load_at(arc * (static_cast<double>(element) + x));
+    const Vec2 now = (0.5 * rule.weights[q] * arc) * rotate(-turn, load);
+    const PlaceJets place = place_at(element, x, y);
+    work.now += now.x * place[0] + now.y * place[1];
+    work.by_turn += now.y * place[0] - now.x * place[1];
   }
   return work;
 }
@@ -55,15 +31,10 @@ void HermiteBeamPort::add_dead(std::size_t element, const double* y,
                                const Surroundings& surroundings, double* work, double* coupling,
                                FieldResponse& field) const {
   const double share = surroundings.load_factor;
-  const auto v = gather(element, y);
   const auto at = places(element);
-  DeadWork dead =
-      is_linear() ? dead_work(element, {}, 0.0) : dead_work(element, v, surroundings.turn);
+  DeadWork dead = dead_work(element, y, is_linear() ? 0.0 : surroundings.turn);
   if (is_linear()) {
-    dead.by_turn = Unknowns(dead.by_turn.value);
-    for (std::size_t i = 0; i < element_unknowns; ++i)
-      dead.now.value += dead.now.gradient[i] * v[i];
-    dead.now.hessian.fill(0.0);
+    dead.by_turn = Unknowns(dead_work(element, rest_.data(), 0.0).by_turn.value);
     dead.now.value += surroundings.turn * dead.by_turn.value;
   }
   field.by_factor -= dead.now.value;
@@ -90,9 +61,8 @@ void HermiteBeamPort::add_heat(std::size_t element, const double* y, double load
                                double* coupling, FieldResponse& field) const {
   const double strain = flexure_.field.strain;
   const auto at = places(element);
-  const std::vector<double> rest(is_linear() ? internal_size() : 0, 0.0);
   Energy e =
-      is_linear() ? energy(element, rest.data(), 0.0) : energy(element, y, load_factor * strain);
+      is_linear() ? energy(element, rest_.data(), 0.0) : energy(element, y, load_factor * strain);
   if (is_linear()) {
     const auto v = gather(element, y);
     e.heat = load_factor * strain * elements_[element].length / flexure_.axial_compliance;

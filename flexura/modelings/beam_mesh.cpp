@@ -64,6 +64,12 @@ std::vector<double> BeamMesh::shape_at(double x) const {
   return values;
 }
 
+std::vector<double> BeamMesh::slope_at(double x) const {
+  std::vector<double> slopes = lagrange_slopes(node_places_, x);
+  for (double& d : slopes) d *= 2.0 * static_cast<double>(elements) / length;
+  return slopes;
+}
+
 std::vector<double> BeamMesh::antiderivative() const {
   const QuadratureRule& rule = gauss_legendre(static_cast<int>(order));
   const double half = 0.5 * length / static_cast<double>(elements);

@@ -35,6 +35,8 @@ struct BeamMesh {
   double node_place(std::size_t a) const { return 0.5 * (1.0 + node_places_[a]); }
   /// Values of the element's shape functions at x in [-1, 1].
   std::vector<double> shape_at(double x) const;
+  /// Their derivatives by s there.
+  std::vector<double> slope_at(double x) const;
   /// Interpolates nodal values (components per node, first node included) at arc length s.
   void interpolate(double s, std::span<const double> nodal, std::span<double> values) const;
   /// Values at the nodes of an element of the integral from its start of the polynomial with the

@@ -240,10 +240,12 @@ void ExactPort::prolong(std::span<const double> internal, std::span<double> refi
   }
 }
 
+}  // namespace
+
 /// The moment of a nearly undeformed flexure is a sine of its tangent angle, which turns by g to
 /// either side of the middle; its m-th Legendre coefficient is about g^m/(2m + 1)!!, and the tip's
 /// error is the square of that, since the tip makes a potential stationary.
-int likely_modes(double turning, double tolerance) {
+int likely_exact_modes(double turning, double tolerance) {
   const double g = std::max(0.5 * turning + 0.4, 1.2);  // loads bend a straight one, too
   double coefficient = g / 3.0;
   int m = 1;
@@ -254,13 +256,11 @@ int likely_modes(double turning, double tolerance) {
   return std::max(m, 4);
 }
 
-}  // namespace
-
 std::shared_ptr<const TwoPort> make_exact_port(const FlexureProperties& flexure,
                                                const ExactSettings& settings, double tolerance) {
   const AxisCurve& axis = flexure.axis;
   const auto pieces = static_cast<double>(axis.breaks().size() - 1);
-  const int modes = settings.modes.value_or(likely_modes(axis.turning() / pieces, tolerance));
+  const int modes = settings.modes.value_or(likely_exact_modes(axis.turning() / pieces, tolerance));
   return std::make_shared<ExactPort>(flexure, ExactPieces{axis.breaks(), modes});
 }
 

@@ -8,6 +8,9 @@
 
 namespace flexura {
 
+/// Modes of a flexure that turns by `turning` that the tolerance makes likely.
+int likely_exact_modes(double turning, double tolerance);
+
 /// The exact flexure: a planar Reissner beam in Hellinger-Reissner form, its bending moment in
 /// Legendre modes over the arc length of each smooth piece of the axis,
 ///     M(s) = EI/L sum_i y_i P_i,   theta(s) = theta0(s) + sum_i y_i (1/L) int_0^s P_i,

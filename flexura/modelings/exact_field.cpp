@@ -69,12 +69,18 @@ std::vector<double> cuts_between(double start, double end, const std::vector<dou
 
 }  // namespace
 
+int exact_points(const ExactPieces& pieces) { return pieces.modes + more_points; }
+
+int varying_exact_points(const ExactPieces& pieces) {
+  return std::max(least_varying_points, pieces.modes + more_points);
+}
+
 AngleField constant_section_field(const FlexureProperties& flexure, const ExactPieces& pieces) {
   const AxisCurve& axis = flexure.axis;
   const double length = axis.length();
   const std::size_t m = pieces.modes_per_piece();
   const std::size_t n = pieces.unknowns();
-  const QuadratureRule& rule = gauss_legendre(pieces.modes + more_points);
+  const QuadratureRule& rule = gauss_legendre(exact_points(pieces));
 
   AngleField field;
   field.unknowns = n;
@@ -112,8 +118,7 @@ AngleField constant_section_field(const FlexureProperties& flexure, const ExactP
 VaryingField varying_section_field(const FlexureProperties& flexure, const ExactPieces& pieces) {
   const AxisCurve& axis = flexure.axis;
   const std::size_t n = pieces.unknowns();
-  const QuadratureRule& rule =
-      gauss_legendre(std::max(least_varying_points, pieces.modes + more_points));
+  const QuadratureRule& rule = gauss_legendre(varying_exact_points(pieces));
   const std::vector<double> breaks = flexure.smooth_breaks();
 
   VaryingField varying;

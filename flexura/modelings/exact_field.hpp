@@ -18,6 +18,10 @@ struct ExactPieces {
   std::size_t unknowns() const { return pieces() * modes_per_piece(); }
 };
 
+/// Gauss points per piece, or per interval of a varying section.
+int exact_points(const ExactPieces& pieces);
+int varying_exact_points(const ExactPieces& pieces);
+
 /// The angle field of moments M = EI_0/L sum_i y_i P_i, whose turns are the integrals of M/EI;
 /// EI_0 is the flexure's (mean) bending stiffness. Constant sections: closed form.
 AngleField constant_section_field(const FlexureProperties& flexure, const ExactPieces& pieces);

@@ -61,12 +61,21 @@ class LagrangeBeamPort final : public TwoPort {
   void prolong(std::span<const double> internal, std::span<double> refined) const override;
   double error_ratio() const override { return halving_error_ratio(mesh_); }
 
- private:
+  /// Half bandwidth of the energy's Hessian.
   std::size_t width() const { return 3 * (mesh_.order + 1) - 1; }
+  /// The energy; its gradient into every fourth of 4 m doubles of `columns`, its Hessian into the
+  /// `band` (lower rows of width + 1), both overwritten. `heat` stretches without stress.
+  double assemble(const double* y, double* columns, double* band, double heat) const;
+  const BeamMesh& mesh() const { return mesh_; }
+  const Density& density() const { return density_; }
+
+ private:
   std::size_t elimination_size() const { return internal_size() * (4 + 2 * (width() + 1) + 1); }
   double add_point(std::size_t element, std::size_t gauss, const double* y, double* residual,
                    double* band, double heat) const;
-  double assemble(const double* y, double* scratch, double heat = 0.0) const;
+  double assemble(const double* y, double* scratch, double heat = 0.0) const {
+    return assemble(y, scratch, scratch + 4 * internal_size(), heat);
+  }
   double add_heat(std::size_t element, std::size_t gauss, const double* y, double heat,
                   double* columns) const;
   DisplacementElements elements() const {
@@ -147,14 +156,14 @@ double LagrangeBeamPort<Density>::add_point(std::size_t element, std::size_t gau
   return energy.value;
 }
 
-/// Gradient and Hessian of the strain energy into the scratch; the energy.
 template <class Density>
-double LagrangeBeamPort<Density>::assemble(const double* y, double* scratch, double heat) const {
-  std::fill_n(scratch, elimination_size(), 0.0);
+double LagrangeBeamPort<Density>::assemble(const double* y, double* columns, double* band,
+                                           double heat) const {
+  std::fill_n(columns, 4 * internal_size(), 0.0);
+  std::fill_n(band, internal_size() * (width() + 1), 0.0);
   double energy = 0.0;
   for (std::size_t e = 0; e < mesh_.elements; ++e)
-    for (std::size_t g = 0; g < mesh_.order; ++g)
-      energy += add_point(e, g, y, scratch, scratch + 4 * internal_size(), heat);
+    for (std::size_t g = 0; g < mesh_.order; ++g) energy += add_point(e, g, y, columns, band, heat);
   return energy;
 }
 

@@ -1,5 +1,6 @@
 #include "flexura/modelings/make_system.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "flexura/modelings/bcm.hpp"
@@ -52,6 +53,23 @@ struct PortMaker {
 
 namespace {
 
+SystemLayout::Joint make_joint(const SystemLayout& layout, const Joint& joint) {
+  SystemLayout::Joint made;
+  made.base = joint.base;
+  made.action = joint.action;
+  if (const auto* pin = std::get_if<RevoluteJoint>(&joint.kind)) {
+    made.base_arm = pin->at - layout.bodies[joint.base].centre;
+    made.action_arm = pin->at - layout.bodies[joint.action].centre;
+    return made;
+  }
+  const Vec2 direction = std::get<PrismaticJoint>(joint.kind).direction;
+  made.kind = SystemLayout::Joint::Kind::prismatic;
+  made.direction = (1.0 / norm(direction)) * direction;
+  return made;
+}
+
+}  // namespace
+
 FlexureField field_on(const Model& model, std::size_t flexure, const FieldLoads& fields) {
   const Material& material = model.materials[model.flexures[flexure].material];
   FlexureField field;
@@ -62,8 +80,6 @@ FlexureField field_on(const Model& model, std::size_t flexure, const FieldLoads&
   return field;
 }
 
-}  // namespace
-
 SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
                          const ModelingSettings& settings,
                          const std::vector<std::optional<double>>& load_ratios,
@@ -73,9 +89,14 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
   const auto* beam = std::get_if<BeamSettings>(&settings.kind);
   layout.linearised = std::holds_alternative<LinearSettings>(settings.kind) ||
                       (beam && beam->theory == BeamSettings::Theory::linear);
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    layout.bodies.push_back(
-        {body_centre(model, b), !model.bodies[b].fixed, body_can_turn(model, b)});
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body& body = model.bodies[b];
+    const auto drives = [b](const Driver& driver) { return driver.body == b; };
+    const bool driven = std::any_of(model.drivers.begin(), model.drivers.end(), drives);
+    layout.bodies.push_back({body_centre(model, b), !body.fixed && !driven, body_can_turn(model, b),
+                             body.mass, body.inertia});
+  }
+  for (const Joint& joint : model.joints) layout.joints.push_back(make_joint(layout, joint));
   for (std::size_t k = 0; k < model.flexures.size(); ++k) {
     const Flexure& flexure = model.flexures[k];
     FlexureProperties properties =
@@ -115,7 +136,7 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
     const double free =
         spring.preload ? drawn - *spring.preload / spring.stiffness : spring.free.value_or(drawn);
     layout.springs.push_back({spring.base.body, spring.action.body, a, b, spring.stiffness, free,
-                              spring.torsional, free - drawn});
+                              spring.torsional, free - drawn, spring.damping});
   }
   for (const Load& load : loads) {
     const Vec2 centre = layout.bodies[load.body].centre;

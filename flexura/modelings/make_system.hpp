@@ -6,6 +6,7 @@
 
 #include "flexura/assembly/system.hpp"
 #include "flexura/model/model.hpp"
+#include "flexura/modelings/flexure_properties.hpp"
 
 namespace flexura {
 
@@ -17,6 +18,9 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
                          const ModelingSettings& settings,
                          const std::vector<std::optional<double>>& load_ratios = {},
                          const FieldLoads& fields = {});
+
+/// What acts along a flexure.
+FlexureField field_on(const Model& model, std::size_t flexure, const FieldLoads& fields);
 
 /// Whether the modeling's parameters depend on the loads it finds, and what load ratios the state z
 /// gives: axial compression over transverse force of every flexure's end force, in axes of its

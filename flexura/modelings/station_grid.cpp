@@ -34,29 +34,6 @@ StationGrid::StationGrid(const AxisCurve& axis, const std::vector<double>& break
   }
 }
 
-const std::vector<double>& partial_integrals() {
-  static const std::vector<double> table = [] {
-    const QuadratureRule& rule = gauss_legendre(nodes_per_interval);
-    std::vector<double> partial;
-    for (std::size_t g = 0; g < nodes_per_interval; ++g) {
-      const double share = 0.5 * (1.0 + rule.nodes[g]);  // of the interval before the node
-      for (std::size_t basis = 0; basis < nodes_per_interval; ++basis) {
-        double integral = 0.0;
-        for (std::size_t q = 0; q < nodes_per_interval; ++q) {
-          const double x = -1.0 + share * (1.0 + rule.nodes[q]);
-          double value = 0.5 * share * rule.weights[q];
-          for (std::size_t b = 0; b < nodes_per_interval; ++b)
-            if (b != basis) value *= (x - rule.nodes[b]) / (rule.nodes[basis] - rule.nodes[b]);
-          integral += value;
-        }
-        partial.push_back(integral);
-      }
-    }
-    return partial;
-  }();
-  return table;
-}
-
 StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
                                             const std::vector<Vec2>& slopes,
                                             const std::vector<Vec2>& forces) {

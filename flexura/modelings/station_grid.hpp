@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "flexura/core/quadrature.hpp"
 #include "flexura/core/vec2.hpp"
 #include "flexura/geometry/axis_curve.hpp"
 
@@ -40,13 +41,10 @@ struct StationGrid {
 /// Nodes between two knots or stations, as many as the quadrature rule has.
 inline constexpr std::size_t nodes_per_interval = 6;
 
-/// The interpolating polynomials' integrals from the start of an interval to each of its nodes, in
-/// units of its length: entry (node, polynomial).
-const std::vector<double>& partial_integrals();
-
 template <class Value>
 auto StationGrid::integrate(const std::vector<Value>& at_nodes) const -> Integral<Value> {
-  const std::vector<double>& partial = partial_integrals();
+  const std::vector<double>& partial =
+      gauss_partial_integrals(static_cast<int>(nodes_per_interval));
   Integral<Value> integral;
   Value sum{};
   std::size_t next_station = 0;

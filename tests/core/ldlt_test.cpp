@@ -100,7 +100,7 @@ TEST(LdltWeak, AVanishingPivotIsReported) {
 }
 
 TEST(LdltWeak, AnEmptyMatrixIsRegular) {
-  EXPECT_FALSE(factorize_ldlt(nullptr, dense_layout(0), nullptr).weak);
+  EXPECT_FALSE(factorize_ldlt<double>(nullptr, dense_layout(0), nullptr).weak);
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+#include "flexura/assembly/motion_system.hpp"
+#include "flexura/assembly/spring_potential.hpp"
+
+namespace flexura {
+namespace {
+
+/// Acts unchanged from the start.
+bool is_dead(const SystemLayout::Load& load, const TimeHistory& history) {
+  const auto* step = std::get_if<StepHistory>(&history);
+  return !load.follower && step && step->at <= 0.0;
+}
+
+}  // namespace
+
+/// What gravity and dead forces along a flexure have done since the drawn state.
+double MotionSystem::dead_work_on(std::size_t member, const Eigen::VectorXd& q) const {
+  const MemberMotion& motion = members_[member];
+  const auto& m = layout_.mechanism.members[member];
+  const Vec2 start = layout_.mechanism.bodies[m.base].centre + m.arms.base;
+  const Vec2 moved = moved_point(m.base, start, q) - start;
+  const double turn = placed_[member].turn;
+  double work = 0.0;
+  const auto& points = motion.port().points();
+  const std::vector<Vec2>& now = motion.work().places;
+  const std::vector<Vec2>& drawn = motion.drawn_places();
+  for (std::size_t g = 0; g < points.size(); ++g) {
+    if (points[g].direction) continue;
+    const Vec2 force = points[g].inertia * layout_.gravity + points[g].force;
+    const Vec2 place = linearised() ? now[g] + turn * perp(drawn[g]) : rotate(turn, now[g]);
+    work += dot(force, moved + place - drawn[g]);
+  }
+  return work;
+}
+
+MotionEnergies MotionSystem::energies(const Moment& moment) {
+  MotionEnergies sum;
+  const SystemLayout& mechanism = layout_.mechanism;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const MemberForces forces = evaluate_member(k, moment);
+    const Vec2 momentum = linearised() ? forces.momentum : rotate(placed_[k].turn, forces.momentum);
+    sum.strain += forces.strain_energy;
+    sum.kinetic += forces.kinetic_energy;
+    sum.momentum = sum.momentum + momentum;
+    sum.angular_momentum +=
+        cross(base_section(k, moment.q).position, momentum) + forces.angular_momentum;
+    sum.dead_work += dead_work_on(k, moment.q);
+    sum.damping_power += members_[k].elastic_damping_power(moment.v.data() + internal_[k],
+                                                           layout_.stiffness_damping);
+  }
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const auto& rigid = mechanism.bodies[b];
+    const BodyMotion motion = body_motion(b, moment);
+    if (numbering_.bodies[b].position < 0) continue;
+    sum.kinetic += 0.5 * rigid.mass * dot(motion.velocity, motion.velocity) +
+                   0.5 * rigid.inertia * motion.spin * motion.spin;
+    sum.momentum = sum.momentum + rigid.mass * motion.velocity;
+    sum.angular_momentum +=
+        rigid.mass * cross(motion.pose.position, motion.velocity) + rigid.inertia * motion.spin;
+    sum.dead_work += rigid.mass * dot(layout_.gravity, motion.pose.position - rigid.centre);
+  }
+  sum.damping_power += 2.0 * layout_.mass_damping * sum.kinetic;
+  for (const ModalForce& mode : modal_damping_) {
+    const double rate = mode.momentum.dot(moment.v);
+    sum.damping_power += mode.damping * rate * rate;
+  }
+  add_spring_energies(moment, sum);
+  add_load_work(moment, sum);
+  return sum;
+}
+
+void MotionSystem::add_spring_energies(const Moment& moment, MotionEnergies& sum) const {
+  const SystemLayout& mechanism = layout_.mechanism;
+  for (const auto& spring : mechanism.springs) {
+    const Pose a = pose(spring.base, moment.q);
+    const Pose b = pose(spring.action, moment.q);
+    sum.strain += spring_potential(mechanism, spring, a, b, 1.0).value;
+    if (spring.damping == 0.0) continue;
+    const Jet2<6> length = spring_length(mechanism, spring, a, b);
+    const auto unknowns = pair_unknowns(spring.base, spring.action);
+    double rate = 0.0;
+    for (std::size_t i = 0; i < 6; ++i)
+      if (unknowns[i] >= 0) rate += length.gradient[i] * moment.v[unknowns[i]];
+    sum.damping_power += spring.damping * rate * rate;
+  }
+}
+
+void MotionSystem::add_load_work(const Moment& moment, MotionEnergies& sum) const {
+  const SystemLayout& mechanism = layout_.mechanism;
+  for (std::size_t i = 0; i < mechanism.loads.size(); ++i) {
+    const auto& load = mechanism.loads[i];
+    const BodyMotion motion = body_motion(load.body, moment);
+    if (is_dead(load, layout_.loads[i])) {
+      const Vec2 drawn = mechanism.bodies[load.body].centre + load.arm;
+      sum.dead_work += dot(load.force, moved_point(load.body, drawn, moment.q) - drawn) +
+                       load.moment * motion.pose.rotation;
+      continue;
+    }
+    const double turn = linearised() ? 0.0 : motion.pose.rotation;
+    const Vec2 arm = rotate(turn, load.arm);
+    const Vec2 force = load.follower ? rotate(turn, load.force) : load.force;
+    sum.power +=
+        evaluate_history(layout_.loads[i], moment.time).value *
+        (dot(force, motion.velocity + motion.spin * perp(arm)) + load.moment * motion.spin);
+  }
+  for (std::size_t i = 0; i < prescribed_count(); ++i)
+    sum.power += prescribed_reaction(i, moment.multipliers) * mechanism.prescribed[i].value *
+                 evaluate_history(layout_.prescribed[i], moment.time).rate;
+}
+
+}  // namespace flexura

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "flexura/core/quadrature.hpp"
+#include "flexura/modelings/beam_hermite.hpp"
+#include "flexura/modelings/quintic_shape.hpp"
+
+namespace flexura {
+namespace {
+
+constexpr int mass_points = 6;  // per element: degree 10 of the deflection squared
+
+/// Von Karman's and the linear elements in motion: places and directions are functions of the
+/// element's nine unknowns.
+class HermiteMotionPort final : public MotionPort {
+ public:
+  HermiteMotionPort(const FlexureProperties& flexure, const FlexureInertia& inertia,
+                    BeamSettings settings);
+
+  std::size_t internal_size() const override { return still_.internal_size(); }
+  BandLayout layout() const override { return band_layout(internal_size(), still_.width()); }
+  const std::vector<MassPoint>& points() const override { return points_; }
+  std::size_t scratch_size() const override {
+    return internal_size() * (still_.width() + 1) +
+           points_.size() * 2 * sizeof(HermiteBeamPort::Unknowns) / sizeof(double);
+  }
+  std::vector<double> weights() const override { return still_.weights(); }
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override;
+  void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
+                 MemberWork& work) const override;
+  void add_curvature(const double* y, const double* rate, MemberWork& work,
+                     Vec2* curvature) const override;
+  std::vector<SectionState> sections(const Eigen::Vector3d& /*load*/,
+                                     const double* y) const override {
+    return still_.strained_sections({y, internal_size()});
+  }
+  std::vector<double> adopt(std::span<const SectionState> /*sections*/,
+                            std::span<const double> internal) const override {
+    return {internal.begin(), internal.end()};
+  }
+  std::shared_ptr<const MotionPort> refined() const override {
+    BeamSettings finer = settings_;
+    finer.elements *= 2;
+    return std::make_shared<HermiteMotionPort>(flexure_, inertia_, finer);
+  }
+  void prolong(std::span<const double> internal, std::span<double> refined) const override {
+    still_.prolong(internal, refined);
+  }
+  double error_ratio() const override { return still_.error_ratio(); }
+
+ private:
+  using Unknowns = HermiteBeamPort::Unknowns;
+  struct Place {
+    std::size_t element = 0;
+    double x = 0.0;  // in [0, 1]
+  };
+  /// The two components of point g, in the scratch.
+  Unknowns* jets(MemberWork& work, std::size_t g) const {
+    return reinterpret_cast<Unknowns*>(work.scratch.data() +
+                                       internal_size() * (still_.width() + 1)) +
+           2 * g;
+  }
+  void add_points(std::size_t element, double x, double weight);
+
+  FlexureProperties flexure_;
+  FlexureInertia inertia_;
+  BeamSettings settings_;
+  HermiteBeamPort still_;
+  std::vector<Place> places_;
+  std::vector<MassPoint> points_;
+};
+
+HermiteMotionPort::HermiteMotionPort(const FlexureProperties& flexure,
+                                     const FlexureInertia& inertia, BeamSettings settings)
+    : flexure_(flexure), inertia_(inertia), settings_(settings), still_(flexure, settings) {
+  const auto elements = static_cast<std::size_t>(settings.elements);
+  const QuadratureRule& rule = inertia_.lumped ? gauss_lobatto(2) : gauss_legendre(mass_points);
+  for (std::size_t e = 0; e < elements; ++e)
+    for (std::size_t g = 0; g < rule.nodes.size(); ++g)
+      add_points(e, 0.5 * (1.0 + rule.nodes[g]), 0.5 * rule.weights[g]);
+}
+
+void HermiteMotionPort::add_points(std::size_t element, double x, double weight) {
+  const double arc = flexure_.axis.length() / settings_.elements;
+  const double s = std::min(flexure_.axis.length(), arc * (static_cast<double>(element) + x));
+  const auto at = still_.places(element);
+  std::size_t first = internal_size(), last = 0;
+  for (const int place : at)
+    if (place >= 0) {
+      first = std::min(first, static_cast<std::size_t>(place));
+      last = std::max(last, static_cast<std::size_t>(place));
+    }
+  const SectionInertia section = inertia_.at(s);
+  const auto add = [&](double inertia, bool direction, Vec2 force) {
+    places_.push_back({element, x});
+    points_.push_back({s, weight * arc * inertia, direction, first, last - first + 1, force});
+  };
+  add(section.mass, false, weight * arc * flexure_.field.per_length);
+  if (inertia_.rotary) add(section.rotary, true, {});
+}
+
+MotionPort::Answer HermiteMotionPort::evaluate(const Eigen::Vector3d& load, const double* y,
+                                               MemberWork& work) const {
+  Answer answer;
+  answer.energy =
+      still_.assemble(y, work.columns.data(), work.scratch.data(), flexure_.field.strain);
+  answer.tip = still_.add_tip_load(load, y, work.columns.data());
+  Vec2* slope = work.slopes.data();
+  for (std::size_t g = 0; g < points_.size(); slope += points_[g].count, ++g) {
+    Unknowns* jet = jets(work, g);
+    const auto both = points_[g].direction ? still_.direction_at(places_[g].element, places_[g].x,
+                                                                 y, !inertia_.shear_rotary)
+                                           : still_.place_at(places_[g].element, places_[g].x, y);
+    jet[0] = both[0];
+    jet[1] = both[1];
+    work.places[g] = {jet[0].value, jet[1].value};
+    std::fill_n(slope, points_[g].count, Vec2{});
+    const auto at = still_.places(places_[g].element);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (at[i] >= 0)
+        slope[static_cast<std::size_t>(at[i]) - points_[g].first] = {jet[0].gradient[i],
+                                                                     jet[1].gradient[i]};
+  }
+  return answer;
+}
+
+void HermiteMotionPort::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
+                                  const Vec2* weights, MemberWork& work) const {
+  const BandLayout rows = layout();
+  std::copy_n(work.scratch.begin(), work.tangent.size(), work.tangent.begin());
+  if (!weights) return;
+  for (std::size_t g = 0; g < points_.size(); ++g) {
+    const Unknowns* jet = jets(work, g);
+    const auto at = still_.places(places_[g].element);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = 0; j < at.size(); ++j)
+        if (at[i] >= 0 && at[j] >= 0 && at[j] <= at[i])
+          rows.row(work.tangent.data(), static_cast<std::size_t>(at[i]))[at[j]] +=
+              weights[g].x * jet[0].second(i, j) + weights[g].y * jet[1].second(i, j);
+  }
+}
+
+void HermiteMotionPort::add_curvature(const double* /*y*/, const double* rate, MemberWork& work,
+                                      Vec2* curvature) const {
+  for (std::size_t g = 0; g < points_.size(); ++g) {
+    const Unknowns* jet = jets(work, g);
+    const auto at = still_.places(places_[g].element);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = 0; j < at.size(); ++j)
+        if (at[i] >= 0 && at[j] >= 0)
+          curvature[g] = curvature[g] +
+                         rate[at[i]] * rate[at[j]] * Vec2{jet[0].second(i, j), jet[1].second(i, j)};
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const MotionPort> make_hermite_motion_port(const FlexureProperties& flexure,
+                                                           const FlexureInertia& inertia,
+                                                           const BeamSettings& settings) {
+  return std::make_shared<HermiteMotionPort>(flexure, inertia, settings);
+}
+
+}  // namespace flexura

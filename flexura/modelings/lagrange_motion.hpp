@@ -1,0 +1,275 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "flexura/core/jet2.hpp"
+#include "flexura/core/quadrature.hpp"
+#include "flexura/modelings/flexure_inertia.hpp"
+#include "flexura/modelings/lagrange_beam.hpp"
+#include "flexura/modelings/station_grid.hpp"
+
+namespace flexura {
+
+/// Beam elements from an energy density, in motion: a LagrangeBeamPort with masses at the Gauss
+/// points of one more than the order (consistent) or at the nodes (lumped).
+template <class Density>
+class LagrangeMotionPort final : public MotionPort {
+ public:
+  LagrangeMotionPort(const FlexureProperties& flexure, const FlexureInertia& inertia,
+                     BeamSettings settings, Density density)
+      : flexure_(flexure),
+        inertia_(inertia),
+        settings_(settings),
+        still_(flexure, settings, std::move(density)),
+        chord_(flexure.axis.position(mesh().length) - flexure.axis.position(0.0)) {
+    if (inertia_.lumped)
+      add_nodes();
+    else
+      add_gauss_points();
+  }
+
+  std::size_t internal_size() const override { return still_.internal_size(); }
+  BandLayout layout() const override { return band_layout(internal_size(), still_.width()); }
+  const std::vector<MassPoint>& points() const override { return points_; }
+  std::size_t scratch_size() const override { return internal_size() * (still_.width() + 1); }
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override;
+  void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
+                 MemberWork& work) const override;
+  void add_curvature(const double* y, const double* rate, MemberWork& work,
+                     Vec2* curvature) const override;
+  std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override;
+  std::vector<double> adopt(std::span<const SectionState> /*sections*/,
+                            std::span<const double> internal) const override {
+    return {internal.begin(), internal.end()};
+  }
+  std::shared_ptr<const MotionPort> refined() const override {
+    return std::make_shared<LagrangeMotionPort>(flexure_, inertia_, finer(), still_.density());
+  }
+  void prolong(std::span<const double> internal, std::span<double> refined) const override {
+    still_.prolong(internal, refined);
+  }
+  double error_ratio() const override { return still_.error_ratio(); }
+
+ private:
+  /// What a mass point takes of the nodes of its element: shape values, or slopes for a direction
+  /// along the axis.
+  struct Shape {
+    std::size_t first_node = 0;  // moving: the flexure's first node does not count
+    std::vector<double> values;
+    Vec2 drawn;          // place, or direction
+    double angle = 0.0;  // of a direction that turns with the section
+    bool turns = false;
+  };
+
+  const BeamMesh& mesh() const { return still_.mesh(); }
+  BeamSettings finer() const { return {2 * settings_.elements, settings_.order, {}}; }
+  void add_nodes();
+  void add_gauss_points();
+  void add_points(std::size_t element, double x, double weight, bool node);
+
+  FlexureProperties flexure_;
+  FlexureInertia inertia_;
+  BeamSettings settings_;
+  LagrangeBeamPort<Density> still_;
+  Vec2 chord_;
+  std::vector<Shape> shapes_;
+  std::vector<MassPoint> points_;
+};
+
+template <class Density>
+void LagrangeMotionPort<Density>::add_gauss_points() {
+  const QuadratureRule& rule = gauss_legendre(static_cast<int>(mesh().order) + 1);
+  for (std::size_t e = 0; e < mesh().elements; ++e)
+    for (std::size_t g = 0; g < rule.nodes.size(); ++g)
+      add_points(e, rule.nodes[g], rule.weights[g], false);
+}
+
+/// Every element's nodes by the Gauss-Lobatto rule; the flexure's first moves with its base.
+template <class Density>
+void LagrangeMotionPort<Density>::add_nodes() {
+  const QuadratureRule& rule = gauss_lobatto(static_cast<int>(mesh().order) + 1);
+  for (std::size_t e = 0; e < mesh().elements; ++e)
+    for (std::size_t g = 0; g < rule.nodes.size(); ++g)
+      add_points(e, rule.nodes[g], rule.weights[g], true);
+}
+
+/// The place and, with rotary inertia, the direction at x in [-1, 1] of an element.
+template <class Density>
+void LagrangeMotionPort<Density>::add_points(std::size_t element, double x, double weight,
+                                             bool node) {
+  const double half = 0.5 * mesh().length / static_cast<double>(mesh().elements);
+  const double s = std::min(mesh().length, half * (2.0 * static_cast<double>(element) + 1.0 + x));
+  const SectionInertia section = inertia_.at(s);
+  std::vector<double> values = mesh().shape_at(x);
+  std::size_t first = element * mesh().order;  // node
+  if (node) {                                  // of one node alone
+    const auto own =
+        static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+    first += own;
+    values.assign(1, 1.0);
+  }
+  if (first == 0)
+    values.erase(values.begin());
+  else
+    --first;
+  const auto add = [&](double inertia, bool direction, Vec2 drawn, double angle, Vec2 force) {
+    points_.push_back({s, half * weight * inertia, direction, 3 * first, 3 * values.size(), force});
+    shapes_.push_back({first, values, drawn, angle, direction});
+  };
+  add(section.mass, false, flexure_.axis.position(s) - flexure_.axis.position(0.0), 0.0,
+      half * weight * flexure_.field.per_length);
+  if (!inertia_.rotary) return;
+  const double angle = flexure_.axis.tangent_angle(s);
+  add(section.rotary, true, unit(angle), angle, {});
+  if (inertia_.shear_rotary) return;
+  // along the axis: its derivative, whose length hardly differs from one
+  Shape& shape = shapes_.back();
+  shape.turns = false;
+  shape.values = mesh().slope_at(x);
+  shape.first_node = element * mesh().order;
+  if (shape.first_node == 0)
+    shape.values.erase(shape.values.begin());
+  else
+    --shape.first_node;
+  points_.back().first = 3 * shape.first_node;
+  points_.back().count = 3 * shape.values.size();
+}
+
+template <class Density>
+MotionPort::Answer LagrangeMotionPort<Density>::evaluate(const Eigen::Vector3d& load,
+                                                         const double* y, MemberWork& work) const {
+  const std::size_t m = internal_size();
+  const double length = mesh().length;
+  Answer answer;
+  answer.energy =
+      still_.assemble(y, work.columns.data(), work.scratch.data(), flexure_.field.strain);
+  const double* tip = y + m - 3;
+  answer.tip = {chord_.x + length * tip[0], chord_.y + length * tip[1], tip[2]};
+  const double lever[3] = {length, length, 1.0};
+  for (std::size_t c = 0; c < 3; ++c) {
+    work.columns[4 * (m - 3 + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
+    work.columns[4 * (m - 3 + c) + c + 1] = -lever[c];
+  }
+  Vec2* slope = work.slopes.data();
+  for (std::size_t g = 0; g < shapes_.size(); ++g) {
+    const Shape& shape = shapes_[g];
+    const double* node = y + 3 * shape.first_node;
+    if (shape.turns) {
+      double turn = shape.angle;
+      for (std::size_t a = 0; a < shape.values.size(); ++a)
+        turn += shape.values[a] * node[3 * a + 2];
+      work.places[g] = unit(turn);
+      for (const double value : shape.values) {
+        *slope++ = {};
+        *slope++ = {};
+        *slope++ = value * perp(work.places[g]);
+      }
+      continue;
+    }
+    Vec2 moved = shape.drawn;
+    for (std::size_t a = 0; a < shape.values.size(); ++a) {
+      const double value = length * shape.values[a];
+      moved = moved + value * Vec2{node[3 * a], node[3 * a + 1]};
+      *slope++ = {value, 0.0};
+      *slope++ = {0.0, value};
+      *slope++ = {};
+    }
+    work.places[g] = moved;
+  }
+  return answer;
+}
+
+template <class Density>
+void LagrangeMotionPort<Density>::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
+                                            const Vec2* weights, MemberWork& work) const {
+  std::copy(work.scratch.begin(), work.scratch.end(), work.tangent.begin());
+  if (!weights) return;
+  const BandLayout rows = layout();
+  for (std::size_t g = 0; g < shapes_.size(); ++g) {
+    const Shape& shape = shapes_[g];
+    if (!shape.turns) continue;
+    const double factor = -dot(weights[g], work.places[g]);
+    for (std::size_t a = 0; a < shape.values.size(); ++a) {
+      const std::size_t i = 3 * (shape.first_node + a) + 2;
+      for (std::size_t b = 0; b <= a; ++b)
+        rows.row(work.tangent.data(), i)[3 * (shape.first_node + b) + 2] +=
+            factor * shape.values[a] * shape.values[b];
+    }
+  }
+}
+
+template <class Density>
+void LagrangeMotionPort<Density>::add_curvature(const double* /*y*/, const double* rate,
+                                                MemberWork& work, Vec2* curvature) const {
+  for (std::size_t g = 0; g < shapes_.size(); ++g) {
+    const Shape& shape = shapes_[g];
+    if (!shape.turns) continue;
+    double spin = 0.0;
+    for (std::size_t a = 0; a < shape.values.size(); ++a)
+      spin += shape.values[a] * rate[3 * (shape.first_node + a) + 2];
+    curvature[g] = curvature[g] - spin * spin * work.places[g];
+  }
+}
+
+/// Forces at the Gauss points are superconvergent; stations take them from straight lines between
+/// those.
+template <class Density>
+std::vector<SectionState> LagrangeMotionPort<Density>::sections(const Eigen::Vector3d& /*load*/,
+                                                                const double* y) const {
+  using Jet = Jet2<4>;
+  const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
+  std::vector<double> nodal(3, 0.0);
+  nodal.insert(nodal.end(), y, y + internal_size());
+  struct Resultants {
+    double s, axial, shear, moment;
+  };
+  std::vector<Resultants> inner;
+  const std::size_t per = mesh().order + 1;
+  for (std::size_t p = 0; p < mesh().points.size(); ++p) {
+    const BeamMesh::GaussPoint& point = mesh().points[p];
+    const double* shape = mesh().shape.data() + p % mesh().order * per;
+    const double* slope = mesh().slope.data() + p % mesh().order * per;
+    const double* node = nodal.data() + 3 * (p / mesh().order * mesh().order);
+    double dx = point.tangent.x, dy = point.tangent.y, theta = point.angle, kappa = 0.0;
+    for (std::size_t a = 0; a < per; ++a) {
+      dx += mesh().length * slope[a] * node[3 * a];
+      dy += mesh().length * slope[a] * node[3 * a + 1];
+      theta += shape[a] * node[3 * a + 2];
+      kappa += slope[a] * node[3 * a + 2];
+    }
+    const auto energy_of = [&](const auto& density) {
+      return density(Jet::variable(0, dx), Jet::variable(1, dy), Jet::variable(2, theta),
+                     Jet::variable(3, kappa), point.stretch + flexure_.field.strain);
+    };
+    const Jet energy = [&] {
+      if constexpr (requires { still_.density().at(point.s); })
+        return energy_of(still_.density().at(point.s));
+      else
+        return energy_of(still_.density());
+    }();
+    const Vec2 force{energy.gradient[0], energy.gradient[1]};
+    inner.push_back(
+        {point.s, dot(force, unit(theta)), dot(force, perp(unit(theta))), energy.gradient[3]});
+  }
+  std::vector<SectionState> states;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < grid.s.size(); ++i) {
+    double u[3];
+    mesh().interpolate(grid.s[i], nodal, u);
+    while (k + 2 < inner.size() && grid.s[i] > inner[k + 1].s) ++k;
+    const Resultants& a = inner[k];
+    const Resultants& b = inner[std::min(k + 1, inner.size() - 1)];
+    const double share = b.s > a.s ? (grid.s[i] - a.s) / (b.s - a.s) : 0.0;
+    const auto between = [&](double Resultants::*r) { return a.*r + share * (b.*r - a.*r); };
+    states.push_back({{grid.positions[i] + mesh().length * Vec2{u[0], u[1]}, u[2]},
+                      between(&Resultants::axial),
+                      between(&Resultants::shear),
+                      between(&Resultants::moment)});
+  }
+  return states;
+}
+
+}  // namespace flexura

@@ -1,0 +1,80 @@
+#include "flexura/modelings/make_motion.hpp"
+
+#include "flexura/modelings/compliance.hpp"
+#include "flexura/modelings/make_system.hpp"
+#include "flexura/modelings/motion_ports.hpp"
+
+namespace flexura {
+namespace {
+
+struct MotionPortMaker {
+  const FlexureProperties& flexure;
+  const FlexureInertia& inertia;
+  double tolerance;
+
+  Vec2 end() const { return flexure.axis.position(flexure.axis.length()); }
+  using Port = std::shared_ptr<const MotionPort>;
+
+  Port operator()(const LinearSettings&) const {
+    return make_compliant_motion_port(flexure, inertia, end());
+  }
+  Port operator()(const ScmbmSettings& settings) const {
+    const Vec2 at = settings.at == ScmbmSettings::At::end
+                        ? end()
+                        : elastic_centre(compliance_matrix(flexure, end()), end());
+    return make_compliant_motion_port(flexure, inertia, at);
+  }
+  Port operator()(const PrbmSettings& settings) const {
+    return make_prbm_motion_port(flexure, inertia, pseudo_rigid_chain(flexure, settings, {}));
+  }
+  Port operator()(const ExactSettings& settings) const {
+    return make_exact_motion_port(flexure, inertia, settings, tolerance);
+  }
+  Port operator()(const BeamSettings& settings) const {
+    return make_beam_motion_port(flexure, inertia, settings);
+  }
+  Port operator()(const BcmSettings& settings) const {
+    return make_bcm_motion_port(flexure, inertia, settings);
+  }
+};
+
+/// A driven body is held at its centre and turned, or moved along a direction and not turned.
+void add_driver(const Driver& driver, MotionLayout& layout) {
+  using Component = SystemLayout::Prescribed::Component;
+  const Vec2 along = driver.direction.value_or(Vec2{});
+  const double length = driver.direction ? norm(along) : 1.0;
+  const double values[3] = {driver.amount * along.x / length, driver.amount * along.y / length,
+                            driver.direction ? 0.0 : driver.amount};
+  const Component components[3] = {Component::x, Component::y, Component::rotation};
+  for (std::size_t c = 0; c < 3; ++c) {
+    layout.mechanism.prescribed.push_back({driver.body, {}, components[c], values[c]});
+    layout.prescribed.push_back(driver.history);
+  }
+}
+
+}  // namespace
+
+MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
+                                const ModelingSettings& settings, const InertiaSettings& inertia) {
+  MotionLayout layout;
+  layout.mechanism = make_layout(model, acting.loads, settings);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    layout.mechanism.bodies[b].moves = !model.bodies[b].fixed;
+  for (std::size_t k = 0; k < model.flexures.size(); ++k) {
+    FlexureProperties properties =
+        flexure_properties(model, model.flexures[k], settings.axial, settings.shear);
+    properties.field = field_on(model, k, acting.fields);
+    properties.field.per_volume = {};  // gravity acts on all mass alike
+    const FlexureInertia own = flexure_inertia(model, model.flexures[k], inertia, settings.shear);
+    layout.ports.push_back(
+        std::visit(MotionPortMaker{properties, own, settings.tolerance}, settings.kind));
+  }
+  for (const Load& load : acting.loads) layout.loads.push_back(load.history);
+  for (const Driver& driver : model.drivers) add_driver(driver, layout);
+  layout.gravity = acting.fields.gravity;
+  layout.mass_damping = acting.damping.mass;
+  layout.stiffness_damping = acting.damping.stiffness;
+  return layout;
+}
+
+}  // namespace flexura

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "flexura/assembly/motion_system.hpp"
+#include "flexura/model/model.hpp"
+
+namespace flexura {
+
+/// What acts on a mechanism in motion, besides its drivers.
+struct MotionLoads {
+  std::vector<Load> loads;
+  FieldLoads fields;
+  DampingSettings damping;  ///< but for the modal part, which belongs to a state
+};
+
+/// A modeling applied to a model that moves in time. Bodies keep their indices, flexures become
+/// members in the same order. Drivers are prescribed displacements and rotations, the first ones.
+MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
+                                const ModelingSettings& settings, const InertiaSettings& inertia);
+
+}  // namespace flexura

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "flexura/solvers/motion_problem.hpp"
+
+namespace flexura {
+
+/// What a march through time has taken so far.
+struct MarchCounts {
+  int steps = 0;
+  int rejected = 0;
+  int iterations = 0;
+  double smallest_step = INFINITY;
+  double largest_step = 0.0;
+};
+
+/// Steps of an integrator from one time to the next: equal ones, or such that the estimated error
+/// of each stays below a tolerance. `Integrator` has step(state, h), restart() and the `order` of
+/// its coordinates.
+template <class Integrator>
+class TimeMarch {
+ public:
+  struct Options {
+    double step = 0.0;       ///< fixed; 0: by tolerance
+    double tolerance = 0.0;  ///< that of the integrator
+    double first_step = 0.0;
+    double shortest = 0.0;  ///< no step is shorter: the march ends there
+  };
+
+  TimeMarch(Integrator& integrator, Options options)
+      : integrator_(integrator), options_(options), next_(options.first_step) {}
+
+  /// To `until`; calls `after` with the step's length after each. False where no step is possible
+  /// (`state` is then the last one reached) or `after` says so.
+  template <class State>
+  bool advance(State& state, double until, const std::function<bool(double)>& after);
+
+  /// Where loads jump: nothing is carried over.
+  void restart() {
+    integrator_.restart();
+    if (options_.step == 0.0) next_ = std::min(next_, options_.first_step);
+  }
+  const MarchCounts& counts() const { return counts_; }
+  bool was_stopped() const { return stopped_; }
+
+ private:
+  template <class State>
+  bool take(State& state, double h, const std::function<bool(double)>& after);
+  template <class State>
+  bool advance_equally(State& state, double until, const std::function<bool(double)>& after);
+
+  Integrator& integrator_;
+  Options options_;
+  double next_;
+  MarchCounts counts_;
+  bool stopped_ = false;
+};
+
+template <class Integrator>
+template <class State>
+bool TimeMarch<Integrator>::take(State& state, double h, const std::function<bool(double)>& after) {
+  const StepReport report = integrator_.step(state, h);
+  counts_.iterations += report.iterations;
+  if (report.outcome != StepOutcome::accepted) return false;
+  ++counts_.steps;
+  counts_.smallest_step = std::min(counts_.smallest_step, h);
+  counts_.largest_step = std::max(counts_.largest_step, h);
+  stopped_ = after && !after(h);
+  return true;
+}
+
+/// Where Newton's method fails in a step, the step is taken in two, and so on.
+template <class Integrator>
+template <class State>
+bool TimeMarch<Integrator>::advance_equally(State& state, double until,
+                                            const std::function<bool(double)>& after) {
+  const double span = until - state.time;
+  const auto count = static_cast<long>(std::max(1.0, std::ceil(span / options_.step - 1e-6)));
+  const double start = state.time;
+  for (long k = 1; k <= count; ++k) {
+    const double goal = k == count ? until : start + span * static_cast<double>(k) / count;
+    double h = goal - state.time;
+    while (state.time < goal - 1e-12 * span) {
+      const double left = goal - state.time;
+      h = left < 1.5 * h ? left : h;
+      if (take(state, h, after)) {
+        if (stopped_) return false;
+        continue;
+      }
+      ++counts_.rejected;
+      h *= 0.5;
+      if (h < options_.shortest) return false;
+    }
+    state.time = goal;
+  }
+  return true;
+}
+
+template <class Integrator>
+template <class State>
+bool TimeMarch<Integrator>::advance(State& state, double until,
+                                    const std::function<bool(double)>& after) {
+  if (options_.step > 0.0) return advance_equally(state, until, after);
+  const double exponent = 1.0 / (Integrator::error_order);
+  while (state.time < until) {
+    const double left = until - state.time;
+    // two steps of like size rather than a long and a very short one
+    const double h =
+        next_ >= 0.999 * left ? left : std::min(next_, 0.55 * left > next_ ? next_ : 0.5 * left);
+    const StepReport report = integrator_.step(state, h);
+    counts_.iterations += report.iterations;
+    if (report.outcome == StepOutcome::accepted) {
+      ++counts_.steps;
+      counts_.smallest_step = std::min(counts_.smallest_step, h);
+      counts_.largest_step = std::max(counts_.largest_step, h);
+      if (h == left) state.time = until;
+      const double growth =
+          0.9 * std::pow(options_.tolerance / std::max(report.error, 1e-300), exponent);
+      // a step that was cut short by `until` says little about the next one
+      const double proposed = h * std::clamp(growth, 0.3, 4.0);
+      next_ = h < 0.9 * next_ ? std::max(next_ * std::min(1.0, growth * h / next_ * 4.0), proposed)
+                              : (growth > 1.0 && growth < 1.2 ? h : proposed);
+      if (after && !after(h)) {
+        stopped_ = true;
+        return false;
+      }
+      continue;
+    }
+    ++counts_.rejected;
+    if (report.outcome == StepOutcome::inaccurate)
+      next_ = h * std::clamp(0.9 * std::pow(options_.tolerance / report.error, exponent), 0.1, 0.8);
+    else
+      next_ = 0.3 * h;
+    if (next_ < options_.shortest) return false;
+  }
+  return true;
+}
+
+}  // namespace flexura

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace flexura {
+
+/// Small vibrations about an equilibrium: M x'' + K x = 0 with G x = 0.
+struct Vibrations {
+  Eigen::VectorXd squares;  ///< of the angular frequencies, ascending; negative: x grows
+  Eigen::MatrixXd shapes;   ///< one per column, x.M x = 1
+  bool found = false;
+};
+
+/// The `count` lowest by a dense solver. `mass` may be semidefinite. K and M are symmetric. On a
+/// basis of the null space of G it solves M v = theta (K + shift M) v with a shift that makes the
+/// right-hand matrix positive definite: none for a stable mechanism.
+Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
+                            const Eigen::MatrixXd& constraints, int count);
+
+/// Solutions x of (K + shift M) x + G^T lambda = b, G x = 0, and products with M.
+class VibrationOperator {
+ public:
+  virtual ~VibrationOperator() = default;
+  virtual Eigen::Index size() const = 0;
+  virtual bool set_shift(double shift) = 0;
+  virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
+  virtual Eigen::VectorXd multiply_mass(const Eigen::VectorXd& x) const = 0;
+};
+
+/// The same by Lanczos' method, which needs no matrix. `shift_unit`: a first guess of the squared
+/// frequency that a shift has to have where the mechanism is not stable by itself.
+Vibrations sparse_vibrations(VibrationOperator& op, int count, double shift_unit);
+
+}  // namespace flexura

@@ -1,0 +1,220 @@
+// What every modeling's flexure in motion must satisfy, by itself (property_suite.hpp).
+#include <cmath>
+#include <random>
+
+#include "flexura/modelings/make_motion.hpp"
+#include "flexura/modelings/make_system.hpp"
+#include "tests/modelings/property_suite.hpp"
+
+namespace flexura::testing {
+namespace {
+
+std::vector<SuiteEntry> moving_entries() {
+  std::vector<SuiteEntry> entries = suite_entries();
+  std::erase_if(entries, [](const SuiteEntry& entry) { return entry.name == "printed"; });
+  return entries;
+}
+
+constexpr double density = 2.0;
+
+class MotionPortProperties : public ::testing::TestWithParam<SuiteEntry> {
+ protected:
+  MotionPortProperties() {
+    chain_.materials.front().density = density;
+    inertia_.rotary = true;
+    layout_ = make_motion_layout(chain_, {}, GetParam().settings, inertia_);
+    work_ = sized_work(port());
+    still_ = make_layout(chain_, {}, GetParam().settings);
+  }
+
+  const MotionPort& port() const { return *layout_.ports[0]; }
+  std::size_t size() const { return port().internal_size(); }
+  bool is_small() const { return layout_.mechanism.linearised; }
+
+  /// Unknowns that bend the flexure, and differ from one another.
+  std::vector<double> some_state(unsigned seed = 1) const {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    std::vector<double> y = port().weights();
+    for (double& v : y) v *= std::min(0.1, 1.0 / static_cast<double>(size())) * uniform(random);
+    return y;
+  }
+  static Eigen::Vector3d some_load() { return {0.04, -0.05, 0.2}; }
+  static std::vector<double> moved(const std::vector<double>& y, const std::vector<double>& by,
+                                   double step) {
+    std::vector<double> out = y;
+    for (std::size_t i = 0; i < y.size(); ++i) out[i] += step * by[i];
+    return out;
+  }
+  MotionPort::Answer evaluate(const std::vector<double>& y, MemberWork& work) const {
+    return port().evaluate(some_load(), y.data(), work);
+  }
+  double potential(const std::vector<double>& y) const {
+    MemberWork work = sized_work(port());
+    const MotionPort::Answer answer = evaluate(y, work);
+    return answer.energy - some_load().dot(answer.tip);
+  }
+  Eigen::MatrixXd tangent(const MemberWork& work) const {
+    const BandLayout layout = port().layout();
+    const auto n = static_cast<Eigen::Index>(size());
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n, n);
+    for (std::size_t i = 0; i < size(); ++i)
+      for (std::size_t j = i > layout.width ? i - layout.width : 0; j <= i; ++j) {
+        const auto r = static_cast<Eigen::Index>(i), c = static_cast<Eigen::Index>(j);
+        whole(r, c) = whole(c, r) = layout.row(work.tangent.data(), i)[j];
+      }
+    return whole;
+  }
+
+  Model chain_ = suite_chain(GetParam());
+  InertiaSettings inertia_;
+  MotionLayout layout_;
+  SystemLayout still_;
+  MemberWork work_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Suite, MotionPortProperties, ::testing::ValuesIn(moving_entries()),
+                         suite_name);
+
+TEST_P(MotionPortProperties, RestsAsDrawn) {
+  const std::vector<double> rest(size(), 0.0);
+  const MotionPort::Answer answer = port().evaluate(Eigen::Vector3d::Zero(), rest.data(), work_);
+  const AxisCurve axis(chain_.flexures[0].axis);
+  EXPECT_NEAR(answer.energy, 0.0, 1e-14);
+  for (std::size_t i = 0; i < size(); ++i) EXPECT_NEAR(work_.columns[4 * i], 0.0, 1e-11);
+  double mass = 0.0, rotary = 0.0;
+  for (std::size_t g = 0; g < port().points().size(); ++g) {
+    const MassPoint& point = port().points()[g];
+    (point.direction ? rotary : mass) += point.inertia;
+    if (point.direction)
+      EXPECT_NEAR(norm(work_.places[g]), 1.0, 2e-2);  // along an interpolated axis, nearly
+    else
+      EXPECT_LT(norm(work_.places[g] - (axis.position(point.s) - axis.position(0.0))), 1e-13);
+  }
+  EXPECT_NEAR(mass, density * 0.3 * axis.length(), 1e-12);
+  EXPECT_NEAR(rotary, density * 0.3 * 0.3 * 0.3 / 12.0 * axis.length(), 1e-12);
+}
+
+TEST_P(MotionPortProperties, GradientIsThatOfThePotential) {
+  const std::vector<double> y = some_state();
+  evaluate(y, work_);
+  const double step = 1e-4;
+  for (std::size_t i = 0; i < size(); ++i) {
+    std::vector<double> one(size(), 0.0);
+    one[i] = 1.0;
+    const auto at = [&](double by) { return potential(moved(y, one, by)); };
+    const double slope =
+        (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
+    EXPECT_NEAR(work_.columns[4 * i], slope, 1e-7 * (1.0 + std::abs(slope))) << i;
+  }
+}
+
+TEST_P(MotionPortProperties, TangentIsThatOfGradientAndPlaces) {
+  const std::vector<double> y = some_state();
+  const std::vector<double> direction = some_state(2);
+  std::vector<Vec2> weights;
+  for (std::size_t g = 0; g < port().points().size(); ++g)
+    weights.push_back({std::sin(1.0 + static_cast<double>(g)), std::cos(static_cast<double>(g))});
+  const auto gradient = [&](double step) {
+    MemberWork work = sized_work(port());
+    evaluate(moved(y, direction, step), work);
+    Eigen::VectorXd sum(static_cast<Eigen::Index>(size()));
+    for (std::size_t i = 0; i < size(); ++i)
+      sum[static_cast<Eigen::Index>(i)] = work.columns[4 * i];
+    const Vec2* slope = work.slopes.data();
+    for (std::size_t g = 0; g < weights.size(); ++g)
+      for (std::size_t j = 0; j < port().points()[g].count; ++j, ++slope)
+        sum[static_cast<Eigen::Index>(port().points()[g].first + j)] += dot(weights[g], *slope);
+    return sum;
+  };
+  const double step = 1e-5;
+  const Eigen::VectorXd rate = (gradient(step) - gradient(-step)) / (2.0 * step);
+  evaluate(y, work_);
+  port().linearize(some_load(), y.data(), weights.data(), work_);
+  const Eigen::VectorXd product =
+      tangent(work_) * Eigen::Map<const Eigen::VectorXd>(direction.data(), rate.size());
+  EXPECT_LT((product - rate).lpNorm<Eigen::Infinity>(),
+            2e-7 * (1.0 + rate.lpNorm<Eigen::Infinity>()));
+}
+
+TEST_P(MotionPortProperties, SlopesAndCurvaturesAreThoseOfThePlaces) {
+  const std::vector<double> y = some_state();
+  const std::vector<double> direction = some_state(2);
+  const auto places = [&](double step) {
+    MemberWork work = sized_work(port());
+    evaluate(moved(y, direction, step), work);
+    return work.places;
+  };
+  const double h = 1e-3;
+  const auto before = places(-h), here = places(0.0), after = places(h);
+  evaluate(y, work_);
+  std::vector<Vec2> curvature(here.size());
+  port().add_curvature(y.data(), direction.data(), work_, curvature.data());
+  const Vec2* slope = work_.slopes.data();
+  for (std::size_t g = 0; g < here.size(); ++g) {
+    Vec2 rate;
+    const MassPoint& point = port().points()[g];
+    for (std::size_t j = 0; j < point.count; ++j, ++slope)
+      rate = rate + direction[point.first + j] * *slope;
+    EXPECT_LT(norm(rate - (0.5 / h) * (after[g] - before[g])), 1e-6) << g;
+    const Vec2 second = (1.0 / (h * h)) * (after[g] - 2.0 * here[g] + before[g]);
+    EXPECT_LT(norm(second - curvature[g]), 1e-6 * (1.0 + norm(second))) << g;
+  }
+}
+
+/// Without inertia a flexure in motion answers a load on its tip as the one at rest does, since all
+/// that differs is which unknowns are eliminated; `exact` has forces as modes: 1e-6 of a length.
+TEST_P(MotionPortProperties, AnswersALoadAsAtRest) {
+  const TwoPort& still = *still_.members[0].port;
+  std::vector<double> internal(still.internal_size(), 0.0), scratch(still.scratch_size());
+  for (int k = 0; k < 30; ++k) {
+    still.linearize(some_load(), internal.data(), scratch.data());
+    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] -= scratch[4 * i];
+  }
+  const Eigen::Vector3d expected =
+      still.linearize(some_load(), internal.data(), scratch.data()).tip;
+  std::vector<double> y = port().adopt(still.sections(some_load(), internal), internal);
+  double first = 0.0;
+  Eigen::Vector3d tip;
+  for (int k = 0; k < 30; ++k) {
+    tip = evaluate(y, work_).tip;
+    if (k == 0) {
+      EXPECT_LT((tip - expected).head<2>().norm(), 0.02 * 9.0) << "adopted";
+    }
+    Eigen::VectorXd residual(static_cast<Eigen::Index>(size()));
+    for (std::size_t i = 0; i < size(); ++i)
+      residual[static_cast<Eigen::Index>(i)] = work_.columns[4 * i];
+    port().linearize(some_load(), y.data(), nullptr, work_);
+    const Eigen::VectorXd step = tangent(work_).fullPivLu().solve(residual);
+    for (std::size_t i = 0; i < size(); ++i) y[i] -= step[static_cast<Eigen::Index>(i)];
+    first = step.lpNorm<Eigen::Infinity>();
+    if (first < 1e-12) break;
+  }
+  tip = evaluate(y, work_).tip;
+  const bool exact = std::holds_alternative<ExactSettings>(GetParam().settings.kind);
+  const double tolerance = exact ? 1e-7 : 1e-9;
+  EXPECT_LT((tip - expected).head<2>().norm(), tolerance * 9.0);
+  EXPECT_NEAR(tip[2], expected[2], tolerance);
+  const auto stations = port().sections(some_load(), y.data());
+  const auto expected_stations = still.sections(some_load(), internal);
+  for (std::size_t k = 0; k < stations.size(); ++k)
+    EXPECT_LT(norm(stations[k].pose.position - expected_stations[k].pose.position), 0.02) << k;
+}
+
+TEST_P(MotionPortProperties, RefinesToTheSameState) {
+  const auto finer = port().refined();
+  if (!finer) GTEST_SKIP() << "nothing to refine";
+  const std::vector<double> y = port().adopt(
+      still_.members[0].port->sections(
+          Eigen::Vector3d::Zero(), std::vector<double>(still_.members[0].port->internal_size())),
+      std::vector<double>(still_.members[0].port->internal_size(), 0.0));
+  std::vector<double> fine(finer->internal_size());
+  port().prolong(y, fine);
+  MemberWork work = sized_work(*finer);
+  const MotionPort::Answer a = port().evaluate(Eigen::Vector3d::Zero(), y.data(), work_);
+  const MotionPort::Answer b = finer->evaluate(Eigen::Vector3d::Zero(), fine.data(), work);
+  EXPECT_LT((a.tip - b.tip).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace flexura::testing
