@@ -59,7 +59,7 @@ class MotionPort {
   /// Energy and tip (x, y from the base end, rotation since the start).
   struct Answer {
     double energy = 0.0;
-    Eigen::Vector3d tip;
+    Eigen::Vector3d tip = Eigen::Vector3d::Zero();
   };
   /// At (load, y), and columns, places and slopes into `work`.
   virtual Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const = 0;
@@ -73,7 +73,8 @@ class MotionPort {
 
   /// Stations for results, as TwoPort::sections. Forces are those of the sections' strains where
   /// the modeling knows them, and else those that hold the load on the tip.
-  virtual std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const = 0;
+  virtual std::vector<SectionState> sections(const Eigen::Vector3d& load,
+                                             const double* y) const = 0;
   virtual std::vector<Vec2> drawn_axis(std::span<const SectionState> sections,
                                        const double* /*y*/) const {
     std::vector<Vec2> axis;

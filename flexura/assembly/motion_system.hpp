@@ -115,7 +115,21 @@ class MotionSystem {
   double prescribed_reaction(std::size_t i, const Eigen::VectorXd& multipliers) const {
     return multipliers[static_cast<Eigen::Index>(i)];
   }
+  std::size_t member_count() const { return members_.size(); }
   const MotionPort& port(std::size_t member) const { return members_[member].port(); }
+  /// Rows of the multipliers that belong to a joint and to the load on a member's tip.
+  Eigen::Index joint_row(std::size_t joint) const {
+    return static_cast<Eigen::Index>(prescribed_count() + 2 * joint);
+  }
+  Eigen::Index load_row(std::size_t member) const {
+    return joint_row(layout_.mechanism.joints.size()) + static_cast<Eigen::Index>(3 * member);
+  }
+  /// Where the member's action body asks its tip to be.
+  RelativePose relative_pose_at(std::size_t member, const Eigen::VectorXd& q) const {
+    return relative_pose_of(member, q, Eigen::Vector3d::Zero());
+  }
+  /// Velocities of a member's mass points, at the moment of the last residual.
+  void member_velocities(std::size_t member, const Moment& moment, Vec2* velocities) const;
   const MotionLayout& layout() const { return layout_; }
   const Numbering& numbering() const { return numbering_; }
   bool linearised() const { return layout_.mechanism.linearised; }
@@ -151,12 +165,6 @@ class MotionSystem {
   };
 
   std::size_t prescribed_count() const { return layout_.mechanism.prescribed.size(); }
-  Eigen::Index joint_row(std::size_t i) const {
-    return static_cast<Eigen::Index>(prescribed_count() + 2 * i);
-  }
-  Eigen::Index load_row(std::size_t member) const {
-    return joint_row(layout_.mechanism.joints.size()) + static_cast<Eigen::Index>(3 * member);
-  }
   void set_scale();
   BodyMotion body_motion(std::size_t body, const Moment& moment) const;
   RelativePose relative_pose_of(std::size_t member, const Eigen::VectorXd& q,

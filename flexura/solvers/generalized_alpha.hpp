@@ -90,7 +90,7 @@ GeneralizedAlpha<System, State, Factor>::step(State& state, double h) {
     const double rate = size / before;
     // at a linear rate what is left is about size rate/(1 - rate)
     if (size < options_.newton_tolerance ||
-        (rate < 0.5 && size * rate < 0.5 * options_.newton_tolerance)) {
+        (report.iterations > 1 && rate < 0.5 && size * rate < 0.5 * options_.newton_tolerance)) {
       report.error = options_.tolerance > 0.0 ? estimate(auxiliary, h) : 0.0;
       if (report.error > options_.tolerance && options_.tolerance > 0.0) {
         report.outcome = StepOutcome::inaccurate;
