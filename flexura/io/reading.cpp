@@ -119,7 +119,7 @@ std::optional<double> read_quantity(Reading& reading, const Place& place,
                                     const Dimension& dimension) {
   auto value = read_declared(reading, place, dimension);
   if (!value) return {};
-  if (dimension == dimensions::angle) value = reading.units.radians(*value);
+  value = reading.units.with_radians(*value, dimension);
   if (!std::isfinite(*value)) {
     reading.report(place.path, place.node->position,
                    fmt::format("expected a finite number, got {}", describe(*place.node)));
