@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -31,21 +32,22 @@ std::string explain(const mu::Parser::exception_type& error) {
   return message;
 }
 
-/// muParser keeps a pointer to its variable and caches of its own: every copy needs its own.
+/// muParser keeps a pointer to its variable and caches of its own: every copy needs its own, and
+/// threads that share one must take turns.
 class FunctionOfOne {
  public:
   FunctionOfOne(const mu::Parser& parser, std::string variable)
-      : variable_(std::move(variable)), state_(std::make_unique<State>(State{parser, 0.0})) {
+      : variable_(std::move(variable)), state_(std::make_unique<State>(parser)) {
     state_->parser.DefineVar(variable_, &state_->value);
   }
-  FunctionOfOne(const FunctionOfOne& other)
-      : FunctionOfOne(other.state_->parser, other.variable_) {}
+  FunctionOfOne(const FunctionOfOne& other) : FunctionOfOne(other.parser(), other.variable_) {}
   FunctionOfOne(FunctionOfOne&&) noexcept = default;
   FunctionOfOne& operator=(const FunctionOfOne&) = delete;
   FunctionOfOne& operator=(FunctionOfOne&&) = delete;
   ~FunctionOfOne() = default;
 
   double operator()(double value) const {
+    const std::scoped_lock lock(state_->turn);
     try {
       state_->value = value;
       return state_->parser.Eval();
@@ -55,9 +57,17 @@ class FunctionOfOne {
   }
 
  private:
+  mu::Parser parser() const {
+    const std::scoped_lock lock(state_->turn);
+    return state_->parser;
+  }
+
   struct State {
+    explicit State(const mu::Parser& original) : parser(original) {}
+
     mu::Parser parser;
-    double value;
+    double value = 0.0;
+    std::mutex turn;
   };
   std::string variable_;
   std::unique_ptr<State> state_;

@@ -43,8 +43,9 @@ class Formulas {
     std::function<double(double)> function;
     std::string error;  ///< empty if the formula reads well
   };
-  /// The formula as a function of one more name, which hides a number of that name. Copies share
-  /// nothing: each may be called by a thread of its own. What cannot be evaluated is not a number.
+  /// The formula as a function of one more name, which hides a number of that name. Threads may
+  /// call it at once; copies share nothing, and do not wait for one another. What cannot be
+  /// evaluated is not a number.
   /// Precondition: no other name in it is undefined.
   Function function_of(const std::string& variable, const std::string& formula) const;
 

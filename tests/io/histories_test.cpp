@@ -101,7 +101,9 @@ class HistoryFile : public ::testing::Test {
         << reading.diagnostics[0].message;
   }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) / "flexura_history_file";
+  // Tests may run side by side.
+  fs::path folder_ = fs::path(::testing::TempDir()) /
+                     ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(HistoryFile, ColumnsAreFoundByTheirNames) {
@@ -163,12 +165,13 @@ TEST(FunctionsOfTime, HideAParameterOfTheirVariablesName) {
   EXPECT_NE(formulas.function_of("t", "2*(t").error, "");
 }
 
-TEST(FunctionsOfTime, CopiesServeThreadsOfTheirOwn) {
+TEST(FunctionsOfTime, ServeThreadsByCopiesAndByTurns) {
   const Formulas::Function original = Formulas().function_of("t", "t^2 + 3*t");
   std::atomic<int> wrong = 0;
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i)
-    threads.emplace_back([&wrong, i, function = original.function] {
+    threads.emplace_back([&wrong, &original, i, copy = original.function] {
+      const auto& function = i % 2 == 0 ? copy : original.function;
       for (int k = 0; k < 20000; ++k) {
         const double t = i + 1e-3 * k;
         if (std::abs(function(t) - t * (t + 3.0)) > 1e-9 * (1.0 + t * t)) ++wrong;
