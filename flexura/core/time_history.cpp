@@ -56,8 +56,7 @@ struct Evaluate {
     const double h = ramp.end - ramp.start;
     const double x = (t - ramp.start) / h;
     if (!ramp.smooth) return {x, 1.0 / h, 0.0};
-    return {x * x * x * (10.0 + x * (-15.0 + 6.0 * x)),
-            30.0 * x * x * (1.0 - x) * (1.0 - x) / h,
+    return {x * x * x * (10.0 + x * (-15.0 + 6.0 * x)), 30.0 * x * x * (1.0 - x) * (1.0 - x) / h,
             60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / (h * h)};
   }
   HistoryValue operator()(const HalfSineHistory& pulse) const {
@@ -80,8 +79,7 @@ struct Evaluate {
     const double k = 4e-3 * scale;
     const auto& f = history.function;
     const double value = f(t);
-    return {value,
-            (8.0 * (f(t + h) - f(t - h)) - (f(t + 2.0 * h) - f(t - 2.0 * h))) / (12.0 * h),
+    return {value, (8.0 * (f(t + h) - f(t - h)) - (f(t + 2.0 * h) - f(t - 2.0 * h))) / (12.0 * h),
             (16.0 * (f(t + k) + f(t - k)) - (f(t + 2.0 * k) + f(t - 2.0 * k)) - 30.0 * value) /
                 (12.0 * k * k)};
   }

@@ -154,5 +154,14 @@ TEST(MotionRules, DriversMoveSomethingThatCanMove) {
   EXPECT_EQ(complaints(model), "drivers.motor.speed: must be finite, is nan\n");
 }
 
+// A body on one pin takes no moment, but whoever drives it does.
+TEST(MotionRules, LoadsOnDrivenBodiesAreTheDriversMatter) {
+  Model model = with(shaking());
+  model.flexures[0].pinned_action = true;
+  EXPECT_NE(complaints(model).find("hangs on one pin: it takes no moment"), std::string::npos);
+  model.drivers.push_back({"motor", 1, {}, 1.0, LinearHistory{}, {}});
+  EXPECT_EQ(complaints(model), "");
+}
+
 }  // namespace
 }  // namespace flexura
