@@ -17,15 +17,12 @@ struct NamedUnit {
   Unit unit;
 };
 
-constexpr Dimension frequency{0, 0, -1, 0};
-constexpr Dimension angular_speed{0, 0, -1, 1};
-
 // These take the metric prefixes.
 constexpr NamedUnit metric_units[] = {
     {"m", {dimensions::length, {}}},  {"g", {dimensions::mass, ten(-3)}},
     {"s", {dimensions::time, {}}},    {"N", {dimensions::force, {}}},
     {"Pa", {dimensions::stress, {}}}, {"J", {dimensions::moment, {}}},
-    {"rad", {dimensions::angle, {}}}, {"Hz", {frequency, {}}},
+    {"rad", {dimensions::angle, {}}}, {"Hz", {dimensions::frequency, {}}},
 };
 
 constexpr Scale inch_scale = constant(inch) + ten(-4);
@@ -60,7 +57,7 @@ constexpr NamedUnit other_units[] = {
     {"arcsec", {dimensions::angle, degree + constant(sixty, -2)}},
     {"rev", {dimensions::angle, turn}},
     {"turn", {dimensions::angle, turn}},
-    {"rpm", {angular_speed, turn + constant(sixty, -1)}},
+    {"rpm", {dimensions::angular_speed, turn + constant(sixty, -1)}},
     {"psi", {dimensions::stress, psi_scale}},
     {"ksi", {dimensions::stress, psi_scale + ten(3)}},
     {"Mpsi", {dimensions::stress, psi_scale + ten(6)}},
@@ -94,11 +91,14 @@ constexpr DimensionWords dimension_words[] = {
     {dimensions::stress, "a stress", "\"2.1 GPa\"", "MPa, GPa, Pa, psi, ksi"},
     {dimensions::density, "a density", "\"913 kg/m^3\"", "kg/m^3, g/cm^3, lb/in^3"},
     {dimensions::inertia, "a moment of inertia", "\"3 kg mm^2\"", "kg m^2, lb in^2"},
-    {frequency, "a frequency", "\"50 Hz\"", "Hz"},
-    {angular_speed, "an angular speed", "\"300 rpm\"", "rpm, rad/s"},
-    {{1, 0, -1, 0}, "a speed", "\"2 m/s\"", "m/s"},
-    {{1, 0, -2, 0}, "an acceleration", "\"9.81 m/s^2\"", "m/s^2"},
-    {{0, 1, -2, 0}, "a stiffness", "\"3 N/mm\"", "N/mm, N/m"},
+    {dimensions::frequency, "a frequency", "\"50 Hz\"", "Hz"},
+    {dimensions::angular_speed, "an angular speed", "\"300 rpm\"", "rpm, rad/s"},
+    {dimensions::speed, "a speed", "\"2 m/s\"", "m/s"},
+    {dimensions::acceleration, "an acceleration", "\"9.81 m/s^2\"", "m/s^2"},
+    {dimensions::force_per_length, "a stiffness", "\"3 N/mm\"", "N/mm, N/m"},
+    {dimensions::torsional_stiffness, "a torsional stiffness", "\"5 N mm/rad\"", "N mm/rad"},
+    {dimensions::damping, "a damping", "\"0.2 N s/mm\"", "N s/mm, N s/m"},
+    {dimensions::torsional_damping, "a torsional damping", "\"0.2 N mm s/rad\"", "N mm s/rad"},
 };
 
 const DimensionWords* words_of(const Dimension& dimension) {

@@ -28,7 +28,12 @@ class UnitParser {
   explicit UnitParser(std::string_view text) : text_(text) {}
 
   UnitReading read() {
-    if (!read_factor(1)) return {std::nullopt, error_};
+    const bool divides = text_.front() == '/';
+    if (divides) {
+      ++at_;
+      skip_spaces();
+    }
+    if (!read_factor(divides ? -1 : 1)) return {std::nullopt, error_};
     while (true) {
       const bool space = skip_spaces();
       if (rest().empty()) return {unit_, ""};
@@ -210,6 +215,11 @@ double UnitSystem::value_of(const Quantity& quantity) const {
     if (ratio.constants[i] != 0) factor *= std::pow(unit_constants[i], ratio.constants[i]);
   }
   return value_of_digits(quantity.number, ratio.decimal) * factor;
+}
+
+double UnitSystem::with_radians(double value, const Dimension& dimension) const {
+  if (dimension.angle == 0) return value;
+  return dimension.angle > 0 ? radians(value) : value / radians(1.0);
 }
 
 double UnitSystem::radians(double angle) const {

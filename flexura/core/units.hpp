@@ -29,6 +29,12 @@ inline constexpr Dimension angle{0, 0, 0, 1};
 inline constexpr Dimension force{1, 1, -2, 0};
 inline constexpr Dimension moment{2, 1, -2, 0};
 inline constexpr Dimension force_per_length{0, 1, -2, 0};
+inline constexpr Dimension torsional_stiffness{2, 1, -2, -1};
+inline constexpr Dimension damping{0, 1, -1, 0};
+inline constexpr Dimension torsional_damping{2, 1, -1, -1};
+inline constexpr Dimension frequency{0, 0, -1, 0};
+inline constexpr Dimension angular_speed{0, 0, -1, 1};
+inline constexpr Dimension speed{1, 0, -1, 0};
 inline constexpr Dimension acceleration{1, 0, -2, 0};
 inline constexpr Dimension stress{-1, 1, -2, 0};
 inline constexpr Dimension density{-3, 1, 0, 0};
@@ -63,7 +69,7 @@ struct UnitReading {
 
 /// Reads a unit by this closed grammar:
 ///
-///     unit   = factor { (" " | "*" | "/") factor }        "/" divides by the next factor only
+///     unit   = ["/"] factor { (" " | "*" | "/") factor }  "/" divides by the next factor only
 ///     factor = word [ ["^"] ["-"] digit ]                 m^2, s2, s^-2, m² and m³ too
 ///     word   = [prefix] metric | other
 ///     prefix = n u µ m c d k M G
@@ -112,6 +118,9 @@ class UnitSystem {
 
   /// A plain number in the declared angle unit, in radians.
   double radians(double angle) const;
+
+  /// A plain number in declared units, with whatever angle its dimension has in radians.
+  double with_radians(double value, const Dimension& dimension) const;
 
  private:
   Scale scale_of(const Dimension& dimension) const;

@@ -5,7 +5,10 @@
 
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <mutex>
 #include <numbers>
+#include <utility>
 
 namespace flexura {
 
@@ -28,6 +31,47 @@ std::string explain(const mu::Parser::exception_type& error) {
   }
   return message;
 }
+
+/// muParser keeps a pointer to its variable and caches of its own: every copy needs its own, and
+/// threads that share one must take turns.
+class FunctionOfOne {
+ public:
+  FunctionOfOne(const mu::Parser& parser, std::string variable)
+      : variable_(std::move(variable)), state_(std::make_unique<State>(parser)) {
+    state_->parser.DefineVar(variable_, &state_->value);
+  }
+  FunctionOfOne(const FunctionOfOne& other) : FunctionOfOne(other.parser(), other.variable_) {}
+  FunctionOfOne(FunctionOfOne&&) noexcept = default;
+  FunctionOfOne& operator=(const FunctionOfOne&) = delete;
+  FunctionOfOne& operator=(FunctionOfOne&&) = delete;
+  ~FunctionOfOne() = default;
+
+  double operator()(double value) const {
+    const std::scoped_lock lock(state_->turn);
+    try {
+      state_->value = value;
+      return state_->parser.Eval();
+    } catch (const mu::Parser::exception_type&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+ private:
+  mu::Parser parser() const {
+    const std::scoped_lock lock(state_->turn);
+    return state_->parser;
+  }
+
+  struct State {
+    explicit State(const mu::Parser& original) : parser(original) {}
+
+    mu::Parser parser;
+    double value = 0.0;
+    std::mutex turn;
+  };
+  std::string variable_;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace
 
@@ -76,6 +120,26 @@ Formulas::Value Formulas::evaluate(const std::string& formula) const {
     return {values[0], ""};
   } catch (const mu::Parser::exception_type& error) {
     return {std::nullopt, explain(error)};
+  }
+}
+
+Formulas::Function Formulas::function_of(const std::string& variable,
+                                         const std::string& formula) const {
+  try {
+    mu::Parser parser(parser_->parser);
+    const auto constants = parser.GetConst();
+    parser.ClearConst();
+    for (const auto& [name, value] : constants)
+      if (name != variable) parser.DefineConst(name, value);
+    double somewhere = 0.0;
+    parser.DefineVar(variable, &somewhere);
+    parser.SetExpr(formula);
+    int count = 0;
+    parser.Eval(count);
+    if (count != 1) return {{}, fmt::format("it gives {} values", count)};
+    return {FunctionOfOne(parser, variable), ""};
+  } catch (const mu::Parser::exception_type& error) {
+    return {{}, explain(error)};
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,16 @@ class Formulas {
   };
   /// The value, if it is finite. Precondition: no name in it is undefined.
   Value evaluate(const std::string& formula) const;
+
+  struct Function {
+    std::function<double(double)> function;
+    std::string error;  ///< empty if the formula reads well
+  };
+  /// The formula as a function of one more name, which hides a number of that name. Threads may
+  /// call it at once; copies share nothing, and do not wait for one another. What cannot be
+  /// evaluated is not a number.
+  /// Precondition: no other name in it is undefined.
+  Function function_of(const std::string& variable, const std::string& formula) const;
 
  private:
   struct Parser;

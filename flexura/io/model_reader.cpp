@@ -45,9 +45,14 @@ Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides
   }
   if (const auto units = table.require("units")) model.units = read_units(reading, *units);
   read_parameters(reading, table.find("parameters"), overrides);
-  const auto materials = table.require("materials");
+  // A linkage of rigid bodies has nothing made of a material.
+  const bool rigid = table.has("joints") && !table.has("flexures");
+  const auto of_flexures = [&](const char* key) {
+    return rigid ? table.find(key) : table.require(key);
+  };
+  const auto materials = of_flexures("materials");
   if (materials) model.materials = read_materials(reading, *materials);
-  const auto sections = table.require("sections");
+  const auto sections = of_flexures("sections");
   if (sections) model.sections = read_sections(reading, *sections);
   const auto bodies = table.require("bodies");
   if (bodies) model.bodies = read_bodies(reading, *bodies);
@@ -57,13 +62,18 @@ Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides
   const Names names{NameIndex::of("material", complete(materials), model.materials),
                     NameIndex::of("section", complete(sections), model.sections),
                     NameIndex::of("body", complete(bodies), model.bodies)};
-  const auto flexures = table.require("flexures");
+  const auto flexures = of_flexures("flexures");
   if (flexures) model.flexures = read_flexures(reading, *flexures, names);
-  const StudyNames study_names{model.bodies, names.bodies,
-                               NameIndex::of("flexure", complete(flexures), model.flexures)};
+  const StudyNames study_names{
+      model.bodies, names.bodies,
+      NameIndex::of("flexure", rigid || complete(flexures), model.flexures)};
   if (const auto springs = table.find("springs")) {
     model.springs = read_springs(reading, *springs, study_names);
   }
+  if (const auto joints = table.find("joints"))
+    model.joints = read_joints(reading, *joints, names.bodies);
+  if (const auto drivers = table.find("drivers"))
+    model.drivers = read_drivers(reading, *drivers, names.bodies);
   if (const auto studies = table.find("studies")) {
     model.studies = read_studies(reading, *studies, study_names);
   }
@@ -76,14 +86,21 @@ ValidationScope scope_of(const Reading& reading, const Model& model, const TomlN
     return entry && entry->node.table();
   };
   ValidationScope scope;
-  scope.connections = is_table("bodies") && is_table("flexures");
-  for (const Body& body : model.bodies) {
-    if (reading.has_mistake({"bodies", body.name, "fixed"})) scope.connections = false;
-  }
-  for (const Flexure& flexure : model.flexures) {
-    if (reading.has_mistake({"flexures", flexure.name, "between"})) scope.connections = false;
-  }
-  scope.pins = !reading.has_mistake({"bodies"}) && !reading.has_mistake({"flexures"});
+  const auto need = [&](const std::string& kind, const auto& entities,
+                        std::initializer_list<const char*> keys) {
+    for (const auto& entity : entities)
+      for (const char* key : keys)
+        if (reading.has_mistake({kind, entity.name, key})) scope.connections = false;
+  };
+  const bool linked = is_table("flexures") || (is_table("joints") && !root.find("flexures"));
+  scope.connections = is_table("bodies") && linked;
+  need("bodies", model.bodies, {"fixed", "free"});
+  need("flexures", model.flexures, {"between"});
+  need("joints", model.joints, {"revolute", "prismatic"});
+  need("drivers", model.drivers, {"turn", "move"});
+  scope.pins = true;
+  for (const char* kind : {"bodies", "flexures", "joints", "drivers"})
+    if (reading.has_mistake({kind})) scope.pins = false;
   return scope;
 }
 
@@ -118,7 +135,8 @@ ModelReading refuse(SourcePosition position, std::string message) {
   return {std::nullopt, {{position, std::move(message)}}};
 }
 
-ModelReading read_checked_text(std::string_view text, const ParameterOverrides& overrides) {
+ModelReading read_checked_text(std::string_view text, const std::filesystem::path& folder,
+                               const ParameterOverrides& overrides) {
   if (auto problem = check_text(text)) return {std::nullopt, {std::move(*problem)}};
   const TomlReading toml = read_toml(text);
   if (!toml.root) return {std::nullopt, {*toml.error}};
@@ -126,6 +144,7 @@ ModelReading read_checked_text(std::string_view text, const ParameterOverrides& 
     return refuse({}, "the file is empty; a model begins with flexura = 1");
   }
   Reading reading;
+  reading.folder = folder;
   TableReader table(reading, {&*toml.root, {}}, vocabulary::model());
   if (!read_version(reading, table)) return finish(reading.diagnostics(), {});
   Model model = read_tables(reading, table, overrides);
@@ -150,7 +169,7 @@ ModelReading read_file(const std::filesystem::path& file, const ParameterOverrid
     const auto size = std::filesystem::file_size(file, error);
     return refuse({}, too_long_message(error ? 0 : size));
   }
-  return read_checked_text(text, overrides);
+  return read_checked_text(text, file.parent_path(), overrides);
 }
 
 /// A mistake of the program must not take down its caller.
@@ -168,7 +187,7 @@ ModelReading guard(const Read& read) {
 }  // namespace
 
 ModelReading read_model_text(std::string_view text, const ParameterOverrides& overrides) {
-  return guard([&] { return read_checked_text(text, overrides); });
+  return guard([&] { return read_checked_text(text, {}, overrides); });
 }
 
 ModelReading read_model(const std::filesystem::path& file, const ParameterOverrides& overrides) {

@@ -28,7 +28,8 @@ struct ModelReading {
 ModelReading read_model(const std::filesystem::path& file,
                         const ParameterOverrides& overrides = {});
 
-/// Likewise for the text of a model file.
+/// Likewise for the text of a model file; files that it names are looked for in the current
+/// directory, not beside it.
 ModelReading read_model_text(std::string_view text, const ParameterOverrides& overrides = {});
 
 }  // namespace flexura

@@ -102,6 +102,7 @@ std::vector<Body> read_bodies(Reading& reading, const Place& place) {
     body.name = entry.name;
     body.source = entry.position;
     body.fixed = table.boolean("fixed", false);
+    body.free = table.boolean("free", false);
     if (const auto points = table.find("points")) {
       for (const NamedPlace& point : read_names(reading, *points)) {
         const auto position = read_vector(reading, point.place, dimensions::length);

@@ -56,6 +56,13 @@ struct Names {
   NameIndex bodies;
 };
 
+/// Two names of bodies in a list, into indices; `what` is expected, in words.
+void read_body_pair(Reading& reading, const Place& place, const std::string& what,
+                    const NameIndex& bodies, std::size_t& first, std::size_t& second);
+
+std::vector<Joint> read_joints(Reading& reading, const Place& place, const NameIndex& bodies);
+std::vector<Driver> read_drivers(Reading& reading, const Place& place, const NameIndex& bodies);
+
 std::vector<Flexure> read_flexures(Reading& reading, const Place& place, const Names& names);
 AxisShape read_axis(Reading& reading, const Place& place);
 

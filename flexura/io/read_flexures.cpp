@@ -36,22 +36,6 @@ AxisShape read_arc(Reading& reading, const Place& place) {
   return arc;
 }
 
-/// Indices of the two bodies in `between`.
-void read_between(Reading& reading, const Place& place, const NameIndex& bodies, Flexure& flexure) {
-  const TomlNode::Array* pair = place.node->array();
-  if (!pair || pair->size() != 2) {
-    report_unexpected(reading, place, "two bodies [\"base\", \"action\"]");
-    return;
-  }
-  const auto read = [&](std::size_t i) {
-    const Place name_place{&(*pair)[i], place.path / i};
-    const auto name = read_text(reading, name_place);
-    return name ? bodies.resolve(reading, name_place, *name) : NameIndex::none;
-  };
-  flexure.base = read(0);
-  flexure.action = read(1);
-}
-
 /// `pinned` repeats one or both of the names in `between`.
 void read_pinned(Reading& reading, const Place& place, const std::vector<std::string>& between,
                  Flexure& flexure) {
@@ -93,6 +77,22 @@ std::size_t read_reference(Reading& reading, TableReader& table, const char* key
 
 }  // namespace
 
+void read_body_pair(Reading& reading, const Place& place, const std::string& what,
+                    const NameIndex& bodies, std::size_t& first, std::size_t& second) {
+  const TomlNode::Array* pair = place.node->array();
+  if (!pair || pair->size() != 2) {
+    report_unexpected(reading, place, what);
+    return;
+  }
+  const auto read = [&](std::size_t i) {
+    const Place name_place{&(*pair)[i], place.path / i};
+    const auto name = read_text(reading, name_place);
+    return name ? bodies.resolve(reading, name_place, *name) : NameIndex::none;
+  };
+  first = read(0);
+  second = read(1);
+}
+
 AxisShape read_axis(Reading& reading, const Place& place) {
   TableReader table(reading, place, vocabulary::axis());
   const std::vector<std::string> shapes = {"line", "arc", "spline"};
@@ -128,7 +128,9 @@ std::vector<Flexure> read_flexures(Reading& reading, const Place& place, const N
     flexure.source = entry.position;
     flexure.base = flexure.action = NameIndex::none;
     const auto between = table.require("between");
-    if (between) read_between(reading, *between, names.bodies, flexure);
+    if (between)
+      read_body_pair(reading, *between, "two bodies [\"base\", \"action\"]", names.bodies,
+                     flexure.base, flexure.action);
     if (const auto pinned = table.find("pinned")) {
       read_pinned(reading, *pinned, between ? texts_in(*between->node) : std::vector<std::string>{},
                   flexure);

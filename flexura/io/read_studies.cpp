@@ -1,88 +1,13 @@
 #include "flexura/io/read_studies.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "flexura/core/nearest_word.hpp"
+#include "flexura/io/read_study_parts.hpp"
 #include "flexura/io/read_target.hpp"
-#include "flexura/io/table_reader.hpp"
 
 namespace flexura {
 namespace {
-
-Load read_load(Reading& reading, const Place& place, const StudyNames& names) {
-  Load load;
-  load.body = NameIndex::none;
-  TableReader table(reading, place, vocabulary::load());
-  if (const auto target = table.require("on")) read_target(reading, *target, names, load);
-  const bool mistaken = reading.has_mistake(place.path);
-  if (place.node->table() && !table.has("force") && !table.has("moment") && !mistaken) {
-    reading.report(place.path, place.node->position,
-                   "a load needs force = [x, y] or moment = .. (or both)");
-  }
-  if (const auto spread = table.find("distributed"))
-    reading.report_key(place.path, "distributed", spread->node->position,
-                       "distributed loads belong to studies of kind path");
-  load.force = table.vector("force", dimensions::force, {});
-  load.moment = table.quantity("moment", dimensions::moment, 0.0);
-  load.follower = table.boolean("follower", false);
-  load.constant = table.boolean("constant", false);
-  return load;
-}
-
-/// A load whose `distributed` force acts along a flexure.
-SpreadLoad read_spread(Reading& reading, const Place& place, const StudyNames& names) {
-  TableReader table(reading, place, vocabulary::load());
-  SpreadLoad load{NameIndex::none, {}};
-  if (const auto on = table.require("on")) {
-    const auto name = read_text(reading, *on);
-    if (name) load.flexure = names.flexure_names.resolve(reading, *on, *name);
-  }
-  for (const char* key : {"force", "moment", "follower", "constant"}) {
-    if (const auto other = table.find(key))
-      reading.report_key(place.path, key, other->node->position,
-                         "a distributed load acts along a flexure and keeps its direction: give "
-                         "other loads an entry of their own");
-  }
-  load.per_length = table.vector("distributed", dimensions::force_per_length, {});
-  return load;
-}
-
-/// Loads on bodies, and the distributed ones among them on flexures.
-std::vector<Load> read_path_loads(Reading& reading, const Place& place, const StudyNames& names,
-                                  FieldLoads& fields) {
-  std::vector<Load> loads;
-  for (const Place& entry : read_list(reading, place, "loads")) {
-    if (entry.node->find("distributed"))
-      fields.spread.push_back(read_spread(reading, entry, names));
-    else
-      loads.push_back(read_load(reading, entry, names));
-  }
-  return loads;
-}
-
-std::vector<Load> read_loads(Reading& reading, const Place& place, const StudyNames& names) {
-  std::vector<Load> loads;
-  for (const Place& entry : read_list(reading, place, "loads")) {
-    loads.push_back(read_load(reading, entry, names));
-  }
-  return loads;
-}
-
-Prescribed read_prescribed(Reading& reading, const Place& place, const StudyNames& names) {
-  Prescribed prescribed;
-  prescribed.body = NameIndex::none;
-  TableReader table(reading, place, vocabulary::prescribed());
-  if (const auto target = table.require("on")) read_target(reading, *target, names, prescribed);
-  const bool any = table.has("x") || table.has("y") || table.has("rotation");
-  if (place.node->table() && !any && !reading.has_mistake(place.path)) {
-    reading.report(place.path, place.node->position,
-                   "what is prescribed needs x = .., y = .. or rotation = .. (or several)");
-  }
-  prescribed.x = table.optional_quantity("x", dimensions::length);
-  prescribed.y = table.optional_quantity("y", dimensions::length);
-  prescribed.rotation = table.optional_quantity("rotation", dimensions::angle);
-  return prescribed;
-}
 
 RelativeDisplacement read_relative(Reading& reading, const Place& place,
                                    const NameIndex& flexures) {
@@ -104,25 +29,11 @@ RelativeDisplacement read_relative(Reading& reading, const Place& place,
   return relative;
 }
 
-/// `modelings` and `reference`, of whichever study has them.
-template <typename StudyKind>
-void read_modelings_of(Reading& reading, TableReader& table, StudyKind& study) {
-  const auto modelings = table.require("modelings");
-  if (modelings) study.modelings = read_modelings(reading, *modelings);
-  study.reference = default_reference(study.modelings);
-  const auto reference = table.find("reference");
-  if (!reference) return;
-  const auto label = read_text(reading, *reference);
-  if (!label) return;
-  NameIndex labels("label", modelings && modelings->node->array(), " among the modelings");
-  for (const ModelingSettings& settings : study.modelings) labels.add(settings.label);
-  study.reference = labels.resolve(reading, *reference, *label);
-}
-
 LinearStudy read_linear(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::linear_study());
   LinearStudy study;
-  if (const auto loads = table.find("loads")) study.loads = read_loads(reading, *loads, names);
+  if (const auto loads = table.find("loads"))
+    study.loads = read_loads(reading, *loads, names, {"linear"});
   study.axial = table.boolean("axial", true);
   study.shear = table.boolean("shear", true);
   return study;
@@ -186,21 +97,17 @@ std::vector<std::size_t> read_condense(Reading& reading, const Place& place,
 PathStudy read_path(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::path_study());
   PathStudy study;
+  const LoadPlace where{"path", false, &study.fields};
   const auto prescribe = table.find("prescribe");
-  if (prescribe) {
-    for (const Place& entry : read_list(reading, *prescribe, "prescribed displacements")) {
-      study.prescribe.push_back(read_prescribed(reading, entry, names));
-    }
-  }
+  if (prescribe) study.prescribe = read_prescribe(reading, *prescribe, names, where);
   const bool other = prescribe || table.has("gravity") || table.has("temperature");
   const auto loads = other ? table.find("loads") : table.require("loads");
-  if (loads) study.loads = read_path_loads(reading, *loads, names, study.fields);
+  if (loads) study.loads = read_loads(reading, *loads, names, where);
   if (const auto surroundings = table.find("surroundings")) {
     static const Vocabulary ways{{"growing", "constant"}, {}};
     study.fields.constant = read_word(reading, *surroundings, "way of acting", ways) == "constant";
   }
-  study.fields.gravity = table.vector("gravity", dimensions::acceleration, {});
-  study.fields.temperature = table.quantity("temperature", dimensions::number, 0.0);
+  read_surroundings(table, study.fields);
   study.steps = table.integer("steps", study.steps);
   read_control(reading, table, study);
   if (const auto stage = table.find("stage")) study.stage = read_stage(reading, *stage, names);
@@ -213,7 +120,8 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
 BucklingStudy read_buckling(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::buckling_study());
   BucklingStudy study;
-  if (const auto loads = table.require("loads")) study.loads = read_loads(reading, *loads, names);
+  if (const auto loads = table.require("loads"))
+    study.loads = read_loads(reading, *loads, names, {"buckling"});
   study.linearised = table.boolean("linearised", false);
   study.count = table.integer("count", study.count);
   read_modelings_of(reading, table, study);
@@ -233,29 +141,80 @@ InverseStudy read_inverse(Reading& reading, const Place& place, const StudyNames
   return study;
 }
 
+/// What a study of the kind is; nothing if that cannot be read.
+decltype(Study::kind) read_kind(Reading& reading, const Place& place, const std::string& kind,
+                                const StudyNames& names) {
+  if (kind == "path") return read_path(reading, place, names);
+  if (kind == "buckling") return read_buckling(reading, place, names);
+  if (kind == "inverse") return read_inverse(reading, place, names);
+  if (kind == "modes") return read_modes(reading, place, names);
+  if (kind == "transient") return read_transient(reading, place, names);
+  if (kind == "response") return read_response(reading, place, names);
+  return read_linear(reading, place, names);
+}
+
+Study read_study(Reading& reading, const NamedPlace& entry, const StudyNames& names) {
+  Study study{entry.name, LinearStudy{}, entry.position};
+  const TomlEntry* kind_entry = entry.place.node->find("kind");
+  if (!entry.place.node->table()) {
+    report_unexpected(reading, entry.place, "a table");
+  } else if (!kind_entry) {
+    reading.report_key(entry.place.path, "kind", entry.place.node->position,
+                       fmt::format("missing key 'kind': one of {}",
+                                   fmt::join(vocabulary::study_kinds().keys, ", ")));
+  } else {
+    // Which other keys may be there depends on the kind: without it they are left alone.
+    const auto kind = read_word(reading, {&kind_entry->node, entry.place.path / "kind"},
+                                "study kind", vocabulary::study_kinds());
+    if (kind) study.kind = read_kind(reading, entry.place, *kind, names);
+  }
+  return study;
+}
+
+/// The state of another study that a study of motion starts from, and under which key.
+struct StartingState {
+  std::optional<StudyState> state;
+  const char* key = "about";
+
+  void operator()(const ModesStudy& study) { state = study.about; }
+  void operator()(const ResponseStudy& study) { state = study.about; }
+  void operator()(const TransientStudy& study) {
+    state = study.from;
+    key = "from";
+  }
+  template <typename Other>
+  void operator()(const Other&) {}
+};
+
+/// What can be said of a state only once all studies are known.
+void check_state(Reading& reading, const NamedPlace& entry, const Study& study,
+                 const std::vector<Study>& studies) {
+  StartingState start;
+  std::visit([&start](const auto& kind) { start(kind); }, study.kind);
+  if (!start.state || start.state->study >= studies.size()) return;
+  const Study& other = studies[start.state->study];
+  const KeyPath path = entry.place.path / start.key;
+  if (reading.has_mistake({"studies", other.name, "kind"})) reading.spoil(path / "study");
+  if (!std::holds_alternative<TransientStudy>(study.kind) ||
+      !std::holds_alternative<TransientStudy>(other.kind))
+    return;
+  if (const TomlEntry* factor = entry.place.node->find(start.key)->node.find("load_factor"))
+    reading.report_key(path, "load_factor", factor->position,
+                       fmt::format("study '{}' is a transient: it is taken up at its end, and has "
+                                   "no load factor",
+                                   other.name));
+}
+
 }  // namespace
 
-std::vector<Study> read_studies(Reading& reading, const Place& place, const StudyNames& names) {
+std::vector<Study> read_studies(Reading& reading, const Place& place, StudyNames names) {
+  const std::vector<NamedPlace> places = read_names(reading, place);
+  for (const NamedPlace& entry : places) names.study_names.add(entry.name);
   std::vector<Study> studies;
-  for (const NamedPlace& entry : read_names(reading, place)) {
-    Study study{entry.name, LinearStudy{}, entry.position};
-    const TomlEntry* kind_entry = entry.place.node->find("kind");
-    if (!entry.place.node->table()) {
-      report_unexpected(reading, entry.place, "a table");
-    } else if (!kind_entry) {
-      reading.report_key(entry.place.path, "kind", entry.place.node->position,
-                         "missing key 'kind': linear, path, buckling or inverse");
-    } else {
-      // Which other keys may be there depends on the kind: without it they are left alone.
-      const auto kind = read_word(reading, {&kind_entry->node, entry.place.path / "kind"},
-                                  "study kind", vocabulary::study_kinds());
-      if (kind == "linear") study.kind = read_linear(reading, entry.place, names);
-      if (kind == "path") study.kind = read_path(reading, entry.place, names);
-      if (kind == "buckling") study.kind = read_buckling(reading, entry.place, names);
-      if (kind == "inverse") study.kind = read_inverse(reading, entry.place, names);
-    }
-    studies.push_back(std::move(study));
-  }
+  studies.reserve(places.size());
+  for (const NamedPlace& entry : places) studies.push_back(read_study(reading, entry, names));
+  for (std::size_t i = 0; i < studies.size(); ++i)
+    check_state(reading, places[i], studies[i], studies);
   return studies;
 }
 

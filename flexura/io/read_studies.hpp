@@ -13,9 +13,10 @@ struct StudyNames {
   const std::vector<Body>& bodies;
   NameIndex body_names;
   NameIndex flexure_names;
+  NameIndex study_names{"study", true};  ///< filled in where studies are read
 };
 
-std::vector<Study> read_studies(Reading& reading, const Place& place, const StudyNames& names);
+std::vector<Study> read_studies(Reading& reading, const Place& place, StudyNames names);
 
 std::vector<Spring> read_springs(Reading& reading, const Place& place, const StudyNames& names);
 

@@ -40,28 +40,44 @@ void report_unexpected(Reading& reading, const Place& place, const std::string& 
                  fmt::format("expected {}, got {}", what, describe(*place.node)));
 }
 
-std::optional<double> evaluate(Reading& reading, const KeyPath& path, SourcePosition position,
-                               const std::string& formula, const std::string& quoted) {
-  const auto fail = [&](const std::string& why) {
-    reading.report(path, position, fmt::format("cannot evaluate {}: {}", quoted, why));
-    return std::nullopt;
-  };
+namespace {
+
+void report_formula(Reading& reading, const KeyPath& path, SourcePosition position,
+                    const std::string& quoted, const std::string& why) {
+  reading.report(path, position, fmt::format("cannot evaluate {}: {}", quoted, why));
+}
+
+}  // namespace
+
+bool check_formula(Reading& reading, const KeyPath& path, SourcePosition position,
+                   const std::string& formula, const std::string& quoted,
+                   const std::vector<std::string>& variables) {
   const Formulas::Names undefined = reading.formulas.undefined_names(formula);
-  if (!undefined.error.empty()) return fail(undefined.error);
+  if (!undefined.error.empty()) {
+    report_formula(reading, path, position, quoted, undefined.error);
+    return false;
+  }
+  std::vector<std::string> known = variables;
+  known.insert(known.end(), reading.parameter_names.begin(), reading.parameter_names.end());
   bool spoilt = false;
   for (const std::string& name : undefined.names) {
+    if (std::find(variables.begin(), variables.end(), name) != variables.end()) continue;
     if (!reading.spoilt_parameters.contains(name)) {
-      return fail(
-          fmt::format("unknown parameter '{}'{}", name, suggestion(name, reading.parameter_names)));
+      report_formula(reading, path, position, quoted,
+                     fmt::format("unknown parameter '{}'{}", name, suggestion(name, known)));
+      return false;
     }
     spoilt = true;
   }
-  if (spoilt) {
-    reading.spoil(path);
-    return {};
-  }
+  if (spoilt) reading.spoil(path);
+  return !spoilt;
+}
+
+std::optional<double> evaluate(Reading& reading, const KeyPath& path, SourcePosition position,
+                               const std::string& formula, const std::string& quoted) {
+  if (!check_formula(reading, path, position, formula, quoted)) return {};
   const Formulas::Value value = reading.formulas.evaluate(formula);
-  if (!value.value) return fail(value.error);
+  if (!value.value) report_formula(reading, path, position, quoted, value.error);
   return value.value;
 }
 
@@ -119,7 +135,7 @@ std::optional<double> read_quantity(Reading& reading, const Place& place,
                                     const Dimension& dimension) {
   auto value = read_declared(reading, place, dimension);
   if (!value) return {};
-  if (dimension == dimensions::angle) value = reading.units.radians(*value);
+  value = reading.units.with_radians(*value, dimension);
   if (!std::isfinite(*value)) {
     reading.report(place.path, place.node->position,
                    fmt::format("expected a finite number, got {}", describe(*place.node)));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "flexura/core/diagnostics.hpp"
 #include "flexura/core/units.hpp"
@@ -34,6 +36,7 @@ class Reading {
 
   const Diagnostics& diagnostics() const { return diagnostics_; }
 
+  std::filesystem::path folder;  ///< of the model file: what it names by file is looked for here
   UnitSystem units;
   Formulas formulas;  ///< knows the parameters
   /// Parameters that exist but have no value because of a mistake reported already.
@@ -53,6 +56,11 @@ struct Place {
 
 /// "expected <what>, got <the value>" at the value.
 void report_unexpected(Reading& reading, const Place& place, const std::string& what);
+
+/// Whether a formula reads well and names parameters alone, or these variables; reports if not.
+bool check_formula(Reading& reading, const KeyPath& path, SourcePosition position,
+                   const std::string& formula, const std::string& quoted,
+                   const std::vector<std::string>& variables = {});
 
 /// The value of a formula such as " 2*t"; nothing after a mistake. `quoted` is how the user wrote
 /// it, for messages.

@@ -67,6 +67,12 @@ loads = [{ on = "stage.P", force = [10, 0] }]
 steps = 20
 modelings = ["linear", "scmbm", "prbm", "exact"]
 # a modeling with settings: { name = "beam", elements = 16, order = 2, label = "fine" }
+
+# Natural frequencies, once the material above has its density.
+# [studies.sing]
+# kind = "modes"
+# about = { study = "push", load_factor = 1.0 }  # without it, of the stage as drawn
+# modelings = ["exact"]
 )";
 }
 

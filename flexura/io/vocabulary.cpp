@@ -6,8 +6,8 @@ namespace flexura::vocabulary {
 
 const Vocabulary& model() {
   static const Vocabulary v{{"flexura", "title", "units", "parameters", "materials", "sections",
-                             "bodies", "flexures", "springs", "studies"},
-                            {"joints", "drivers"}};
+                             "bodies", "flexures", "springs", "joints", "drivers", "studies"},
+                            {}};
   return v;
 }
 
@@ -69,7 +69,7 @@ const Vocabulary& general() {
 }
 
 const Vocabulary& body() {
-  static const Vocabulary v{{"fixed", "points", "centre", "mass", "inertia"}, {}};
+  static const Vocabulary v{{"fixed", "free", "points", "centre", "mass", "inertia"}, {}};
   return v;
 }
 
@@ -81,7 +81,39 @@ const Vocabulary& flexure() {
 
 const Vocabulary& spring() {
   static const Vocabulary v{
-      {"between", "stiffness", "torsional", "free_length", "free_angle", "preload"}, {}};
+      {"between", "stiffness", "torsional", "damping", "free_length", "free_angle", "preload"}, {}};
+  return v;
+}
+
+const Vocabulary& joint() {
+  static const Vocabulary v{{"revolute", "prismatic", "at"}, {}};
+  return v;
+}
+
+const Vocabulary& prismatic() {
+  static const Vocabulary v{{"bodies", "direction"}, {}};
+  return v;
+}
+
+const Vocabulary& driver() {
+  static const Vocabulary v{{"turn", "move", "direction", "speed", "angle", "distance", "history"},
+                            {}};
+  return v;
+}
+
+const Vocabulary& history() {
+  static const Vocabulary v{
+      {"step", "ramp", "half_sine", "harmonic", "table", "file", "smooth", "time", "value"}, {}};
+  return v;
+}
+
+const Vocabulary& half_sine() {
+  static const Vocabulary v{{"start", "duration"}, {}};
+  return v;
+}
+
+const Vocabulary& harmonic() {
+  static const Vocabulary v{{"frequency", "phase"}, {}};
   return v;
 }
 
@@ -123,9 +155,70 @@ const Vocabulary& inverse_study() {
   return v;
 }
 
+const Vocabulary& modes_study() {
+  static const Vocabulary v{
+      {"kind", "about", "count", "solver", "rotary_inertia", "shear_rotary_inertia",
+       "translation_inertia", "mass", "modelings", "reference"},
+      {}};
+  return v;
+}
+
+const Vocabulary& transient_study() {
+  static const Vocabulary v{{"kind",
+                             "loads",
+                             "gravity",
+                             "temperature",
+                             "prescribe",
+                             "from",
+                             "duration",
+                             "step",
+                             "tolerance",
+                             "method",
+                             "spectral_radius",
+                             "outputs",
+                             "estimate",
+                             "damping",
+                             "rotary_inertia",
+                             "shear_rotary_inertia",
+                             "translation_inertia",
+                             "mass",
+                             "modelings",
+                             "reference"},
+                            {}};
+  return v;
+}
+
+const Vocabulary& response_study() {
+  static const Vocabulary v{
+      {"kind", "loads", "about", "frequencies", "damping", "rotary_inertia", "shear_rotary_inertia",
+       "translation_inertia", "mass", "modelings", "reference"},
+      {}};
+  return v;
+}
+
+const Vocabulary& modes_about() {
+  static const Vocabulary v{{"study", "load_factor", "curve"}, {}};
+  return v;
+}
+
+const Vocabulary& study_state() {
+  static const Vocabulary v{{"study", "load_factor"}, {}};
+  return v;
+}
+
+const Vocabulary& frequencies() {
+  static const Vocabulary v{{"from", "to", "count", "logarithmic"}, {}};
+  return v;
+}
+
+const Vocabulary& damping() {
+  static const Vocabulary v{{"modal", "mass", "stiffness"}, {}};
+  return v;
+}
+
 const Vocabulary& load() {
-  static const Vocabulary v{{"on", "force", "moment", "follower", "constant", "distributed"},
-                            {"history", "angle"}};
+  static const Vocabulary v{
+      {"on", "force", "moment", "follower", "constant", "distributed", "history"}, {"angle"}};
   return v;
 }
 
@@ -145,7 +238,7 @@ const Vocabulary& controls() {
 }
 
 const Vocabulary& prescribed() {
-  static const Vocabulary v{{"on", "x", "y", "rotation"}, {}};
+  static const Vocabulary v{{"on", "x", "y", "rotation", "history"}, {}};
   return v;
 }
 
@@ -177,8 +270,23 @@ const Vocabulary& prbm_parameters() {
 }
 
 const Vocabulary& study_kinds() {
-  static const Vocabulary v{{"linear", "path", "buckling", "inverse"},
-                            {"modes", "transient", "linkage"}};
+  static const Vocabulary v{
+      {"linear", "path", "buckling", "inverse", "modes", "transient", "response"}, {"linkage"}};
+  return v;
+}
+
+const Vocabulary& methods() {
+  static const Vocabulary v{{"radau", "generalized_alpha", "energy_momentum"}, {}};
+  return v;
+}
+
+const Vocabulary& mode_solvers() {
+  static const Vocabulary v{{"automatic", "dense", "sparse"}, {}};
+  return v;
+}
+
+const Vocabulary& masses() {
+  static const Vocabulary v{{"consistent", "lumped"}, {}};
   return v;
 }
 

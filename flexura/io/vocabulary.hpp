@@ -29,6 +29,12 @@ const Vocabulary& general();
 const Vocabulary& body();
 const Vocabulary& flexure();
 const Vocabulary& spring();
+const Vocabulary& joint();
+const Vocabulary& prismatic();
+const Vocabulary& driver();
+const Vocabulary& history();
+const Vocabulary& half_sine();
+const Vocabulary& harmonic();
 const Vocabulary& axis();
 const Vocabulary& arc();
 const Vocabulary& linear_study();
@@ -36,6 +42,14 @@ const Vocabulary& path_study();
 const Vocabulary& stage();
 const Vocabulary& buckling_study();
 const Vocabulary& inverse_study();
+const Vocabulary& modes_study();
+const Vocabulary& transient_study();
+const Vocabulary& response_study();
+/// A state of a study, for `from` and `about`; modes know a curve along it as well.
+const Vocabulary& study_state();
+const Vocabulary& modes_about();
+const Vocabulary& frequencies();
+const Vocabulary& damping();
 const Vocabulary& load();
 const Vocabulary& until();
 const Vocabulary& branch();
@@ -46,11 +60,15 @@ const Vocabulary& relative();
 const Vocabulary& modeling(const std::string& modeling);
 const Vocabulary& prbm_parameters();
 
-/// Words, not keys: kinds of study, modelings, prbm parameter sets, beam theories.
+/// Words, not keys: kinds of study, modelings, prbm parameter sets, beam theories, methods of time
+/// integration, solvers for modes, kinds of mass.
 const Vocabulary& study_kinds();
 const Vocabulary& modelings();
 const Vocabulary& parameter_sets();
 const Vocabulary& theories();
+const Vocabulary& methods();
+const Vocabulary& mode_solvers();
+const Vocabulary& masses();
 
 }  // namespace vocabulary
 }  // namespace flexura

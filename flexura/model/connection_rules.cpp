@@ -1,19 +1,26 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
+#include <optional>
+#include <unordered_set>
 
 #include "flexura/model/rules.hpp"
 
 namespace flexura {
 namespace {
 
-/// Sets of bodies that hang together, all fixed bodies in one (union-find with path halving).
+/// Sets of bodies that hang together, all bodies whose place is given in one: fixed and driven ones
+/// (union-find with path halving).
 class Groups {
  public:
   explicit Groups(const Model& model) : parent_(model.bodies.size() + 1) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
       if (model.bodies[i].fixed) parent_[i] = ground();
+    }
+    for (const Driver& driver : model.drivers) {
+      if (driver.body < model.bodies.size()) join(driver.body, ground());
     }
   }
 
@@ -41,8 +48,35 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-bool indices_valid(const Model& model, const Flexure& flexure) {
-  return flexure.base < model.bodies.size() && flexure.action < model.bodies.size();
+/// Of a flexure or a joint.
+template <typename Link>
+bool indices_valid(const Model& model, const Link& link) {
+  return link.base < model.bodies.size() && link.action < model.bodies.size();
+}
+
+/// A study that looks for equilibria, in words; nothing for those of motion, and for `inverse`,
+/// which places every body itself.
+struct Equilibria {
+  std::optional<std::string> operator()(const LinearStudy&) const { return "linear"; }
+  std::optional<std::string> operator()(const PathStudy&) const { return "path"; }
+  std::optional<std::string> operator()(const BucklingStudy&) const { return "buckling"; }
+  template <typename Other>
+  std::optional<std::string> operator()(const Other&) const {
+    return {};
+  }
+};
+
+/// What flies has no equilibrium under loads.
+void check_flying(const Model& model, std::size_t flying, Mistakes& mistakes) {
+  for (const Study& study : model.studies) {
+    const auto kind = std::visit(Equilibria{}, study.kind);
+    if (!kind) continue;
+    mistakes.add(
+        {"studies", study.name, "kind"},
+        fmt::format("nothing holds body '{}', which is free: what flies has no equilibrium "
+                    "that a study of kind {} could find",
+                    model.bodies[flying].name, *kind));
+  }
 }
 
 /// The flexures of an `inverse` study must form a spanning forest that grows from fixed bodies.
@@ -76,24 +110,37 @@ void check_forest(const Model& model, const InverseStudy& study, const KeyPath& 
 
 void check_connections(const Model& model, Mistakes& mistakes) {
   Groups groups(model);
-  for (const Flexure& flexure : model.flexures) {
+  for (const Flexure& flexure : model.flexures)
     if (indices_valid(model, flexure)) groups.join(flexure.base, flexure.action);
-  }
-  bool any_fixed = false;
-  bool any_moving = false;
-  for (const Body& body : model.bodies) (body.fixed ? any_fixed : any_moving) = true;
-  if (!any_moving) {
+  for (const Joint& joint : model.joints)
+    if (indices_valid(model, joint)) groups.join(joint.base, joint.action);
+  const auto& bodies = model.bodies;
+  if (std::all_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.fixed; })) {
     mistakes.add_independent({"bodies"}, "there is no moving body: nothing to analyse");
-  } else if (!any_fixed) {
-    mistakes.add_independent({"bodies"}, "no body is fixed; one needs `fixed = true`");
+    return;
+  }
+  const bool any_given = std::any_of(bodies.begin(), bodies.end(),
+                                     [](const Body& body) { return body.fixed || body.free; });
+  if (!any_given && model.drivers.empty()) {
+    mistakes.add_independent({"bodies"},
+                             "no body is fixed; one needs `fixed = true`, or `free = true` if it "
+                             "flies");
     return;  // it explains why nothing is held
   }
-  for (std::size_t body = 0; body < model.bodies.size(); ++body) {
-    if (groups.held(body)) continue;
-    mistakes.add_independent({"bodies", model.bodies[body].name},
-                             "nothing holds this body: no chain of flexures leads from it to a "
-                             "fixed body");
+  std::unordered_set<std::size_t> flying;
+  std::optional<std::size_t> first;
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    if (!bodies[body].free || groups.held(body)) continue;
+    flying.insert(groups.root(body));
+    if (!first) first = body;
   }
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    if (groups.held(body) || flying.contains(groups.root(body))) continue;
+    mistakes.add_independent({"bodies", bodies[body].name},
+                             "nothing holds this body: no chain of flexures and joints leads from "
+                             "it to a fixed or driven body; `free = true` lets it fly");
+  }
+  if (first) check_flying(model, *first, mistakes);
 }
 
 void check_forests(const Model& model, Mistakes& mistakes) {

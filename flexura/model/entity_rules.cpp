@@ -50,6 +50,8 @@ void check_body(const Body& body, Mistakes& mistakes) {
   if (body.centre) mistakes.require_finite(path / "centre", *body.centre);
   mistakes.require_not_negative(path / "mass", body.mass);
   mistakes.require_not_negative(path / "inertia", body.inertia);
+  if (body.free && body.fixed)
+    mistakes.add(path / "free", "this body is fixed: it cannot be free as well");
 }
 
 /// Two places that only rounding tells apart.

@@ -17,7 +17,7 @@ struct Load {
   Vec2 force;
   double moment = 0.0;
   bool follower = false;
-  bool constant = false;  ///< there before the others grow
+  bool constant = false;                ///< there before the others grow
   TimeHistory history = StepHistory{};  ///< in studies of motion, a factor on it
 };
 

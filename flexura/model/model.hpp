@@ -51,7 +51,7 @@ struct Body {
   std::string name;
   bool fixed = false;
   std::vector<Point> points;
-  std::optional<Vec2> centre;  ///< by default the first flexure end on the body
+  std::optional<Vec2> centre;  ///< by default the first flexure end, or joint, on the body
   double mass = 0.0;
   double inertia = 0.0;  ///< about the centre
   SourcePosition source;
@@ -207,20 +207,26 @@ struct AxisEnds {
 };
 AxisEnds axis_ends(const AxisShape& axis);
 
-/// The body's reference point as drawn: its `centre`, or the first flexure end on it, or else the
-/// origin.
+/// The body's reference point as drawn: its `centre`, or the first flexure end on it, or the first
+/// revolute joint on it, or else the origin.
 Vec2 body_centre(const Model& model, std::size_t body);
+
+/// The diagonal of the box around all that has a place as drawn.
+double mechanism_size(const Model& model);
 
 /// Whether flexures or springs do not fit as drawn.
 bool needs_assembly(const Model& model);
 
-/// For every body the one place where all flexure ends on it are pinned; nothing if one is
-/// clamped, if pins lie apart (they then hold the body's rotation between them), or if there are
-/// none.
+/// For every body the one place where all flexure ends on it are pinned and all its joints are;
+/// nothing if an end is clamped or a joint slides, if pins lie apart (they then hold the body's
+/// rotation between them), or if there are none.
 std::vector<std::optional<Vec2>> common_pins(const Model& model);
 
-/// Whether a pose of the body makes sense beyond its position: false for a moving body that
-/// hangs on one common pin alone.
+/// For every body that hangs on one common pin alone the place of it. Nothing where the body's
+/// pose makes sense beyond that: it is fixed or driven, or has inertia about the pin.
+std::vector<std::optional<Vec2>> hanging_pins(const Model& model);
+
+/// Whether a body has a rotation of its own: false for one that hangs on a pin.
 bool body_can_turn(const Model& model, std::size_t body);
 
 }  // namespace flexura

@@ -162,6 +162,18 @@ struct ModelingRules {
 
 }  // namespace
 
+void check_load_ratios(const std::vector<ModelingSettings>& modelings, const std::string& where,
+                       const KeyPath& path, Mistakes& mistakes) {
+  for (std::size_t m = 0; m < modelings.size(); ++m) {
+    const auto* prbm = std::get_if<PrbmSettings>(&modelings[m].kind);
+    const auto* howell = prbm ? std::get_if<PrbmHowell>(&prbm->parameters) : nullptr;
+    if (howell && !howell->load_ratio)
+      mistakes.add(
+          path / "modelings" / m,
+          fmt::format("Howell's parameters follow the load: {} they need a load_ratio", where));
+  }
+}
+
 void check_modelings(const Model& model, const std::vector<ModelingSettings>& modelings,
                      std::size_t reference, const KeyPath& path, Mistakes& mistakes) {
   if (modelings.empty()) mistakes.add(path / "modelings", "at least one modeling is needed");

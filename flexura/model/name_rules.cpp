@@ -83,6 +83,8 @@ void check_names(const Model& model, Mistakes& mistakes) {
   }
   check_all({"flexures"}, model.flexures, mistakes, column_word);
   check_all({"springs"}, model.springs, mistakes, any_word);
+  check_all({"joints"}, model.joints, mistakes, column_word);
+  check_all({"drivers"}, model.drivers, mistakes, column_word);
   check_all({"studies"}, model.studies, mistakes, file_word);
   check_mid_columns(model, mistakes);
 }

@@ -9,7 +9,7 @@ namespace {
 class PinRules {
  public:
   PinRules(const Model& model, Mistakes& mistakes)
-      : model_(model), mistakes_(mistakes), pins_(common_pins(model)) {}
+      : model_(model), mistakes_(mistakes), pins_(hanging_pins(model)) {}
 
   void check(const Load& load, const KeyPath& path) {
     if (load.body >= model_.bodies.size()) return;
@@ -69,9 +69,7 @@ class PinRules {
     return norm(at - pin) > same_place * (norm(at) + norm(pin));
   }
 
-  std::optional<Vec2> pin_of(std::size_t body) const {
-    return model_.bodies[body].fixed ? std::nullopt : pins_[body];
-  }
+  std::optional<Vec2> pin_of(std::size_t body) const { return pins_[body]; }
 
   const Model& model_;
   Mistakes& mistakes_;
@@ -94,6 +92,10 @@ void check_pins(const Model& model, Mistakes& mistakes) {
       check_all(traced->loads, path / "loads");
     } else if (const auto* buckling = std::get_if<BucklingStudy>(&study.kind)) {
       check_all(buckling->loads, path / "loads");
+    } else if (const auto* transient = std::get_if<TransientStudy>(&study.kind)) {
+      check_all(transient->loads, path / "loads");
+    } else if (const auto* response = std::get_if<ResponseStudy>(&study.kind)) {
+      check_all(response->loads, path / "loads");
     } else if (const auto* inverse = std::get_if<InverseStudy>(&study.kind)) {
       check_all(inverse->relative, path / "relative");
     }

@@ -13,8 +13,17 @@ void check_springs(const Model& model, Mistakes& mistakes) {
   };
   for (const Spring& spring : model.springs) {
     const KeyPath path{"springs", spring.name};
-    mistakes.require_positive(path / (spring.torsional ? "torsional" : "stiffness"),
-                              spring.stiffness);
+    const bool damper = spring.stiffness == 0.0 && spring.damping != 0.0;
+    if (!damper)
+      mistakes.require_positive(path / (spring.torsional ? "torsional" : "stiffness"),
+                                spring.stiffness);
+    mistakes.require_not_negative(path / "damping", spring.damping);
+    if (damper && (spring.free || spring.preload))
+      mistakes.add(path / (spring.preload     ? "preload"
+                           : spring.torsional ? "free_angle"
+                                              : "free_length"),
+                   "without stiffness this is a damper: at rest it exerts nothing, whatever its "
+                   "length");
     mistakes.require_finite(path / (spring.torsional ? "free_angle" : "free_length"),
                             spring.free.value_or(0.0));
     mistakes.require_finite(path / "preload", spring.preload.value_or(0.0));

@@ -72,9 +72,13 @@ std::vector<Mistake> find_mistakes(const Model& model, const ValidationScope& sc
   check_names(model, mistakes);
   check_entities(model, mistakes);
   check_springs(model, mistakes);
+  check_joints(model, mistakes);
+  check_drivers(model, mistakes);
   check_studies(model, mistakes);
+  check_motion_of_all(model, mistakes);
   if (scope.connections) check_connections(model, mistakes);
   if (scope.connections) check_forests(model, mistakes);
+  if (scope.pins) check_redundant_joints(model, mistakes);
   if (scope.pins) check_pins(model, mistakes);
   return std::move(mistakes).take();
 }
@@ -90,6 +94,8 @@ class Sources {
     add("bodies", model.bodies);
     add("flexures", model.flexures);
     add("springs", model.springs);
+    add("joints", model.joints);
+    add("drivers", model.drivers);
     add("studies", model.studies);
   }
 

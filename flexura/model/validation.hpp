@@ -26,7 +26,8 @@ struct Mistake {
 };
 
 /// Which rules can be judged: those about how bodies hang together need to know what is fixed
-/// and what every flexure joins; those about pins need to know where everything is as well.
+/// and what every flexure and joint joins; those about pins and about joints that hold the same
+/// need to know where everything is as well.
 struct ValidationScope {
   bool connections = true;
   bool pins = true;
@@ -41,8 +42,9 @@ std::vector<Mistake> find_mistakes(const Model& model, const ValidationScope& sc
 /// none.
 std::vector<Mistake> find_doubts(const Model& model);
 
-/// Every broken rule of a model, sorted by position (that of the material, section, body, flexure
-/// or study concerned), each with the place in words. Empty means valid: studies may rely on it.
+/// Every broken rule of a model, sorted by position (that of the material, section, body, flexure,
+/// spring, joint, driver or study concerned), each with the place in words. Empty means valid:
+/// studies may rely on it.
 Diagnostics validate_model(const Model& model);
 
 }  // namespace flexura

@@ -42,12 +42,28 @@ TEST(Schema, NamesTheReadersKeys) {
       {"body", vocabulary::body()},
       {"flexure", vocabulary::flexure()},
       {"spring", vocabulary::spring()},
+      {"joint", vocabulary::joint()},
+      {"prismatic", vocabulary::prismatic()},
+      {"driver", vocabulary::driver()},
+      {"history_table", vocabulary::history()},
+      {"half_sine", vocabulary::half_sine()},
+      {"harmonic", vocabulary::harmonic()},
       {"axis", vocabulary::axis()},
       {"arc", vocabulary::arc()},
       {"linear_study", vocabulary::linear_study()},
       {"path_study", vocabulary::path_study()},
+      {"stage", vocabulary::stage()},
+      {"buckling_study", vocabulary::buckling_study()},
       {"inverse_study", vocabulary::inverse_study()},
+      {"modes_study", vocabulary::modes_study()},
+      {"transient_study", vocabulary::transient_study()},
+      {"response_study", vocabulary::response_study()},
+      {"modes_about", vocabulary::modes_about()},
+      {"study_state", vocabulary::study_state()},
+      {"frequencies", vocabulary::frequencies()},
+      {"damping", vocabulary::damping()},
       {"load", vocabulary::load()},
+      {"prescribed", vocabulary::prescribed()},
       {"relative", vocabulary::relative()}};
   for (const auto& [name, vocabulary] : tables) {
     expect_keys(definitions.at(name), vocabulary, name);
@@ -69,8 +85,14 @@ TEST(Schema, NamesTheReadersWords) {
   EXPECT_EQ(words(definitions.at("modeling").at("anyOf").at(0)), vocabulary::modelings().keys);
   EXPECT_EQ(words(definitions.at("prbm_parameters").at("anyOf").at(0)),
             vocabulary::parameter_sets().keys);
-  EXPECT_EQ(words(definitions.at("modeling_beam").at("properties").at("theory")),
-            vocabulary::theories().keys);
+  const auto property = [&](const char* table, const char* key) {
+    return words(definitions.at(table).at("properties").at(key));
+  };
+  EXPECT_EQ(property("modeling_beam", "theory"), vocabulary::theories().keys);
+  EXPECT_EQ(property("modes_study", "solver"), vocabulary::mode_solvers().keys);
+  EXPECT_EQ(property("transient_study", "method"), vocabulary::methods().keys);
+  for (const char* study : {"modes_study", "transient_study", "response_study"})
+    EXPECT_EQ(property(study, "mass"), vocabulary::masses().keys);
 }
 
 TEST(Schema, ReferencesLeadSomewhere) {

@@ -75,6 +75,25 @@ TEST(Units, WaysToWriteAProduct) {
   }
 }
 
+TEST(Units, AUnitMayBeginWithWhatItDividesBy) {
+  EXPECT_EQ(value(UnitSystem(), "0.1 /s"), 0.1);
+  EXPECT_EQ(value(UnitSystem(), "3/ms"), 3000.0);
+  EXPECT_EQ(read_unit("/s").unit->dimension, dimensions::frequency);
+  EXPECT_EQ(read_unit("/").error, "the unit '/' is not complete");
+}
+
+// Degrees are for files; models count angles, and whatever is per angle or per time, in radians.
+TEST(Units, RadiansWhereverAnAngleStands) {
+  const UnitSystem deg = make_system("mm", "N", "s", "deg");
+  const auto radians = [&](const char* text, const Dimension& dimension) {
+    return deg.with_radians(value(deg, text), dimension);
+  };
+  EXPECT_DOUBLE_EQ(radians("300 rpm", dimensions::angular_speed), 10.0 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(radians("5 N mm/rad", dimensions::torsional_stiffness), 5.0);
+  EXPECT_DOUBLE_EQ(radians("90 deg", dimensions::angle), std::numbers::pi / 2.0);
+  EXPECT_EQ(radians("2 mm", dimensions::length), 2.0);
+}
+
 TEST(Units, PoundIsAMassPoundForceAForce) {
   EXPECT_EQ(read_unit("lb").unit->dimension, dimensions::mass);
   EXPECT_EQ(read_unit("lbf").unit->dimension, dimensions::force);
@@ -83,7 +102,7 @@ TEST(Units, PoundIsAMassPoundForceAForce) {
 TEST(Units, WhatIsNoQuantity) {
   for (const char* text :
        {"",        " ",      "mm",     "nan mm",  "inf N", "- mm",  "1..2 mm", "1 2 mm",
-        "0x10 mm", "1,5 mm", "1 mm^0", "1 mm^12", "1 mm^", "1 mm*", "1 /mm",   "1 mm//s",
+        "0x10 mm", "1,5 mm", "1 mm^0", "1 mm^12", "1 mm^", "1 mm*", "1 //mm",  "1 mm//s",
         "1 (mm)",  "1 mm)",  "1 qm",   "1 mmm",   "1",     "1e5"}) {
     const QuantityReading reading = read_quantity(text);
     EXPECT_FALSE(reading.quantity.has_value()) << text;
@@ -108,6 +127,7 @@ TEST(Units, PlainNumbers) {
 
 TEST(Units, DimensionsHaveNames) {
   EXPECT_EQ(describe(dimensions::stress), "a stress");
+  EXPECT_EQ(describe(dimensions::damping), "a damping");
   EXPECT_EQ(describe({3, 0, -1, 0}), "a quantity of dimension length^3 time^-1");
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "flexura/model/validation.hpp"
@@ -67,6 +68,74 @@ TEST(BodyCanTurn, PinsApartHoldItsRotation) {
   EXPECT_TRUE(body_can_turn(pinned_tip({6.0, 5.0}), 1));
   // Ends typed with seven digits are one pin.
   EXPECT_FALSE(body_can_turn(pinned_tip({5.000001, 5.0}), 1));
+}
+
+Joint pin_between(std::size_t base, std::size_t action, Vec2 at) {
+  return {"pin", base, action, RevoluteJoint{at}, {}};
+}
+
+TEST(BodyCentre, IsTheFirstJointWhereThereIsNoFlexure) {
+  Model model = pinned_tip({5.0, 5.0});
+  model.bodies.emplace_back();
+  model.joints.push_back({"slide", 1, 2, PrismaticJoint{{1.0, 0.0}}, {}});
+  EXPECT_EQ(body_centre(model, 2), (Vec2{}));
+  model.joints.push_back(pin_between(1, 2, {5.0, 5.0}));
+  model.joints.push_back(pin_between(0, 2, {9.0, 5.0}));
+  EXPECT_EQ(body_centre(model, 2), (Vec2{5.0, 5.0}));
+}
+
+TEST(CommonPins, RevoluteJointsCountPrismaticOnesHold) {
+  Model model = pinned_tip({5.0, 5.0});
+  model.bodies.emplace_back();
+  model.joints.push_back(pin_between(1, 2, {5.0, 5.0}));
+  EXPECT_EQ(common_pins(model)[2], (Vec2{5.0, 5.0}));
+  EXPECT_FALSE(body_can_turn(model, 1));
+  EXPECT_FALSE(body_can_turn(model, 2));
+  model.joints[0].kind = RevoluteJoint{{8.0, 5.0}};  // away from the flexures' pin
+  EXPECT_TRUE(body_can_turn(model, 1));
+  model.joints[0].kind = PrismaticJoint{{0.0, 1.0}};
+  EXPECT_TRUE(body_can_turn(model, 1));
+  EXPECT_TRUE(body_can_turn(model, 2));
+}
+
+TEST(CommonPins, JointsTypedWithSevenDigitsAreOnePlace) {
+  Model model = pinned_tip({5.0, 5.0});
+  model.bodies.emplace_back();
+  model.joints.push_back(pin_between(1, 2, {5.0, 5.0}));
+  model.joints.push_back(pin_between(0, 2, {5.000001, 5.0}));
+  EXPECT_FALSE(body_can_turn(model, 2));
+  model.joints[1].kind = RevoluteJoint{{5.01, 5.0}};
+  EXPECT_TRUE(body_can_turn(model, 2));
+}
+
+TEST(BodyCanTurn, WithInertiaOrADriver) {
+  Model model = pinned_tip({5.0, 5.0});
+  model.bodies[1].mass = 2.0;
+  EXPECT_FALSE(body_can_turn(model, 1));  // all of it at the pin
+  model.bodies[1].centre = Vec2{5.0, 5.0};
+  EXPECT_FALSE(body_can_turn(model, 1));
+  model.bodies[1].centre = Vec2{6.0, 5.0};
+  EXPECT_TRUE(body_can_turn(model, 1));
+  model.bodies[1].mass = 0.0;
+  EXPECT_FALSE(body_can_turn(model, 1));
+  model.bodies[1].inertia = 0.1;
+  EXPECT_TRUE(body_can_turn(model, 1));
+  model.bodies[1].inertia = 0.0;
+  model.drivers.push_back({"motor", 1, {}, 1.0, LinearHistory{}, {}});
+  EXPECT_TRUE(body_can_turn(model, 1));
+  EXPECT_EQ(common_pins(model)[1], (Vec2{5.0, 5.0}));
+  EXPECT_EQ(hanging_pins(model)[1], std::nullopt);
+}
+
+TEST(MechanismSize, SpansAllPlaces) {
+  Model model = pinned_tip({5.0, 5.0});
+  EXPECT_DOUBLE_EQ(mechanism_size(model), std::sqrt(125.0));
+  model.joints.push_back(pin_between(0, 1, {0.0, 10.0}));
+  EXPECT_DOUBLE_EQ(mechanism_size(model), std::sqrt(200.0));
+  model.bodies[1].points.push_back({"P", {30.0, 0.0}});
+  model.bodies[1].centre = Vec2{0.0, -30.0};
+  EXPECT_DOUBLE_EQ(mechanism_size(model), 50.0);
+  EXPECT_EQ(mechanism_size(Model{}), 0.0);
 }
 
 TEST(ModelingName, OfEveryKind) {

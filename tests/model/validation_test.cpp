@@ -152,6 +152,27 @@ TEST(Validation, SupportReachesThroughAnyNumberOfBodies) {
   EXPECT_TRUE(validate_model(model).empty());
 }
 
+TEST(Validation, WhatHangsOnAFreeOrDrivenBodyNeedsNoFixedOne) {
+  Model model = leaf_model();
+  model.bodies[0].fixed = false;
+  expect_complaint(model, "no body is fixed; one needs `fixed = true`, or `free = true`", {});
+  model.bodies[1].free = true;
+  expect_complaint(model, "studies.push.kind: nothing holds body 'stage', which is free", {7, 1});
+  model.studies[0].kind = LinearStudy{};
+  expect_complaint(model, "no equilibrium that a study of kind linear could find", {7, 1});
+  model.studies.clear();
+  EXPECT_TRUE(validate_model(model).empty());
+  model.bodies[1].free = false;
+  model.drivers.push_back({"motor", 0, {}, 1.0, LinearHistory{}, {8, 1}});
+  EXPECT_TRUE(validate_model(model).empty());
+}
+
+TEST(Validation, AFreeBodyThatIsHeldFlysNowhere) {
+  Model model = leaf_model();
+  model.bodies[1].free = true;
+  EXPECT_TRUE(validate_model(model).empty());
+}
+
 TEST(KeyPath, ReadsAsInAMessage) {
   EXPECT_EQ(to_text(KeyPath{"studies", "push"} / "loads" / std::size_t{2} / "force"),
             "studies.push.loads[2].force");
