@@ -12,9 +12,9 @@ namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double duration = 1.0;
-constexpr double speed = 3.0 * full_turn;
+constexpr double speed = 3.2 * full_turn;
 constexpr double leaf_frequency = 17.0;  // cycles per time
-constexpr double rod_frequency = 41.0;
+constexpr double rod_frequency = 41.3;
 
 struct SampleModeling {
   const char* label;
