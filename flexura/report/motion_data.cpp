@@ -3,10 +3,10 @@
 #include "flexura/report/data_json.hpp"
 #include "flexura/report/thinning.hpp"
 
-// A motion may have thousands of output times. The page keeps up to 5000 of them for what its
-// plots are read for, bodies, points and energies; up to 1250 for sections at mid-length, stresses
-// and reactions; and up to 400 for the axes, which it draws and which are by far the largest.
-// Between those, axes follow the bodies at their ends (page/course.js).
+// A motion may have thousands of output times. The page keeps up to 5000 of them for bodies,
+// points, energies and reactions; up to 1250 of those for sections at mid-length and stresses; and
+// up to 400 of these for the axes, which are by far the largest. Between those, axes follow the
+// bodies at their ends (page/course.js).
 
 namespace flexura::report_data {
 namespace {
@@ -90,36 +90,32 @@ Json fine_json(const MotionResult& motion, const Series& series) {
       {"total", energy([](const EnergyBalance& e) { return e.kinetic + e.strain - e.work; })},
       {"dissipated", energy([](const EnergyBalance& e) { return e.dissipated; })},
       {"error", energy([](const EnergyBalance& e) { return e.error; })}};
-  const auto bodies = [](const MotionState& m) -> const auto& { return m.state.bodies; };
-  return {{"times", series.times()},
-          {"bodies", series.poses(bodies, motion.bodies.size())},
-          {"points", std::move(points)},
-          {"energies", std::move(energies)}};
-}
-
-/// Stresses and reactions that some modeling does not know are left out.
-Json coarse_json(const MotionResult& motion, const ModelingMotion& modeling, const Series& series) {
-  const auto mids = [](const MotionState& m) -> const auto& { return m.state.mids; };
-  Json json = {{"times", series.times()}, {"mids", series.poses(mids, motion.flexures.size())}};
-  const auto all_have = [&](auto part) {
-    return std::ranges::all_of(modeling.states,
-                               [&](const MotionState& m) { return !part(m).empty(); });
-  };
-  if (all_have([](const auto& m) -> const auto& { return m.state.peak_stresses; })) {
-    for (std::size_t f = 0; f < motion.flexures.size(); ++f)
-      json["peaks"].push_back(
-          series.plain([f](const auto& m) { return m.state.peak_stresses[f]; }));
-  }
+  Json reactions = Json::array();
   for (std::size_t h = 0; h < motion.held.size(); ++h) {
     // The start may come without: nothing holds it.
     const auto reaction = [h](const MotionState& m) {
       return m.state.reactions.empty() ? Reaction{} : m.state.reactions[h];
     };
-    json["reactions"].push_back(
-        {series.plain([&](const MotionState& m) { return reaction(m).force.x; }),
-         series.plain([&](const MotionState& m) { return reaction(m).force.y; }),
-         series.plain([&](const MotionState& m) { return reaction(m).moment; })});
+    reactions.push_back({series.plain([&](const MotionState& m) { return reaction(m).force.x; }),
+                         series.plain([&](const MotionState& m) { return reaction(m).force.y; }),
+                         series.plain([&](const MotionState& m) { return reaction(m).moment; })});
   }
+  const auto bodies = [](const MotionState& m) -> const auto& { return m.state.bodies; };
+  return {{"times", series.times()},
+          {"bodies", series.poses(bodies, motion.bodies.size())},
+          {"points", std::move(points)},
+          {"energies", std::move(energies)},
+          {"reactions", std::move(reactions)}};
+}
+
+Json coarse_json(const MotionResult& motion, const ModelingMotion& modeling, const Series& series) {
+  const auto mids = [](const MotionState& m) -> const auto& { return m.state.mids; };
+  Json json = {{"mids", series.poses(mids, motion.flexures.size())}};
+  // Not every modeling knows stresses.
+  const bool stressed = std::ranges::all_of(
+      modeling.states, [](const MotionState& m) { return !m.state.peak_stresses.empty(); });
+  for (std::size_t f = 0; stressed && f < motion.flexures.size(); ++f)
+    json["peaks"].push_back(series.plain([f](const auto& m) { return m.state.peak_stresses[f]; }));
   return json;
 }
 
@@ -130,8 +126,8 @@ std::vector<Vec2> drawn_axis(const std::vector<Vec2>& axis) {
   return drawn;
 }
 
-Json frames_json(const ModelingMotion& modeling, const Indices& kept,
-                 const DrawnCoordinates& coordinates) {
+Json axes_json(const ModelingMotion& modeling, const Indices& kept,
+               const DrawnCoordinates& coordinates) {
   Json axes = Json::array();
   for (const std::size_t i : kept) {
     Json frame = Json::array();
@@ -139,14 +135,34 @@ Json frames_json(const ModelingMotion& modeling, const Indices& kept,
       frame.push_back(coordinates(drawn_axis(axis)));
     axes.push_back(std::move(frame));
   }
-  return {{"times", Series(modeling, kept).times()}, {"axes", std::move(axes)}};
+  return axes;
+}
+
+Indices picked(const Indices& from, const Indices& which) {
+  Indices list;
+  for (const std::size_t i : which) list.push_back(from[i]);
+  return list;
+}
+
+/// States that are kept, and which of those, counted among them, at coarser times.
+struct Kept {
+  Indices fine;
+  Indices coarse;
+  Indices frames;
+};
+
+Kept keep(std::size_t count, std::size_t longest) {
+  Kept kept;
+  kept.fine = thinned(count, longest, most_fine);
+  const std::size_t longest_fine = thinned(longest, longest, most_fine).size();
+  kept.coarse = thinned(kept.fine.size(), longest_fine, most_coarse);
+  const std::size_t longest_coarse = thinned(longest_fine, longest_fine, most_coarse).size();
+  kept.frames = picked(kept.coarse, thinned(kept.coarse.size(), longest_coarse, most_frames));
+  return kept;
 }
 
 Json modeling_json(const MotionResult& motion, const ModelingMotion& modeling, std::size_t longest,
                    const DrawnCoordinates& coordinates) {
-  const auto kept = [&](std::size_t most) {
-    return thinned(modeling.states.size(), longest, most);
-  };
   Json json = modeling_head_json(modeling);
   json["steps"] = modeling.steps;
   json["rejected"] = modeling.rejected;
@@ -160,9 +176,12 @@ Json modeling_json(const MotionResult& motion, const ModelingMotion& modeling, s
                               {"time", rounded(peak->time)},
                               {"flexure", peak->flexure}};
   }
-  json["fine"] = fine_json(motion, {modeling, kept(most_fine)});
-  json["coarse"] = coarse_json(motion, modeling, {modeling, kept(most_coarse)});
-  json["frames"] = frames_json(modeling, kept(most_frames), coordinates);
+  const Kept kept = keep(modeling.states.size(), longest);
+  json["fine"] = fine_json(motion, {modeling, kept.fine});
+  json["coarse"] = coarse_json(motion, modeling, {modeling, picked(kept.fine, kept.coarse)});
+  json["coarse"]["at"] = kept.coarse;
+  json["frames"] = {{"at", kept.frames},
+                    {"axes", axes_json(modeling, picked(kept.fine, kept.frames), coordinates)}};
   json["members"] = members_json(modeling.members);
   return json;
 }
