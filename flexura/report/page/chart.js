@@ -43,9 +43,9 @@ class Chart {
     const { xLog, xRange, free, xNoise } = this.options;
     let [low, high] = xRange || d3.extent(points, (p) => p.x);
     if (free && high - low <= (xNoise || 0)) [low, high] = [-1, 1];
-    const x = (xLog ? d3.scaleLog() : d3.scaleLinear()).domain([low, high])
+    const room = free ? 0.05 * (high - low) : 0; // for the places that are marked
+    return (xLog ? d3.scaleLog() : d3.scaleLinear()).domain([low - room, high + room])
       .range([this.margin.left, this.width - this.margin.right]);
-    return free ? x.nice(5) : x;
   }
 
   scales() {
@@ -112,7 +112,11 @@ class Chart {
 
   // Of a logarithmic scale decades or, where there is room, 1, 2 and 5 of each.
   xTicks() {
-    if (!this.options.xLog) return this.x.ticks(5);
+    if (!this.options.xLog) {
+      // One in the very corner would lie on that of the other axis.
+      const inCorner = (t) => this.options.free && this.x(t) < this.margin.left + 16;
+      return this.x.ticks(5).filter((t) => !inCorner(t));
+    }
     const [low, high] = this.x.domain();
     const [from, to] = [low, high].map(Math.log10);
     const room = (this.width - this.margin.left) / (to - from); // of a decade
