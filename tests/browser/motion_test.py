@@ -202,6 +202,21 @@ class MotionTest(PageTest):
         self.assertNotEqual(ring, self.drawn(".chosen .loaded-point"))
         self.assertIn("Amplitude of tip.P.y, mm", self.texts("figcaption"))
 
+    def test_a_phase_goes_on_at_the_other_end(self):
+        self.open_study("sweep")
+        time.sleep(0.2)
+        amplitude, phase = self.charts(".plots")
+        self.assertEqual((3, 3), (amplitude["lines"], phase["lines"]))
+        # The delay goes round about one and a half times: every line in three pieces or more.
+        self.assertGreaterEqual(self.count(".plots .chart-line"), 3 + 9)
+        longest = """
+          const steps = [...document.querySelectorAll('.chart:nth-child(2) .chart-line')]
+            .flatMap((path) => path.getAttribute('d').slice(1).split('L').map(
+              (p) => Number(p.split(',')[1])).map((y, i, all) => (i ? Math.abs(y - all[i - 1]) : 0)));
+          return Math.max(...steps);
+        """
+        self.assertLess(self.browser.script(longest), 110)
+
     def test_a_place_that_stands_still_has_no_peaks(self):
         self.open_kind("response")
         self.choose("#place", self.texts("#place option").index("piston.y"))

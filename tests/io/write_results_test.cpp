@@ -68,7 +68,7 @@ TEST_F(WriteResults, WritesTheFilesOfMotions) {
                            "turn/scmbm.members.csv", "shake/prbm.response.csv"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
-  EXPECT_EQ(names.size(), 2U + 9U + 12U + 3U);
+  EXPECT_EQ(names.size(), 2U + 9U + 12U + 3U + 3U);
 }
 
 TEST_F(WriteResults, NamesTheFilesOfModesByTheirKind) {

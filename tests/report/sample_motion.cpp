@@ -205,7 +205,9 @@ std::complex<double> amplitude_at(double w, double pace, std::size_t place) {
   return sum;
 }
 
-ResponseResult make_response() {
+/// Over frequencies that grow by equal factors or, as a sensor would see it that reports late, by
+/// equal steps from 0.
+ResponseResult make_response(bool late) {
   constexpr int count = 300;
   ResponseResult result;
   result.places = {"crank.x",      "crank.y",         "crank.rotation", "piston.x",
@@ -224,11 +226,15 @@ ResponseResult make_response() {
     if (modeling.modeling != std::string("exact")) response.difference = 1.1 * modeling.pace - 1.0;
     for (int k = 0; k < count; ++k) {
       ResponseState state;
-      state.angular_frequency = full_turn * std::pow(10.0, 2.0 * k / (count - 1.0));
+      const double share = k / (count - 1.0);
+      state.angular_frequency = full_turn * (late ? 80.0 * share : std::pow(10.0, 2.0 * share));
+      const std::complex<double> turn =
+          std::polar(1.0, late ? -0.02 * state.angular_frequency : 0.0);
       for (std::size_t p = 0; p < result.places.size(); ++p)
         // The piston keeps to its guide.
         state.amplitudes.push_back(
-            p == 4 || p == 5 ? 0.0 : amplitude_at(state.angular_frequency, modeling.pace, p));
+            p == 4 || p == 5 ? 0.0
+                             : turn * amplitude_at(state.angular_frequency, modeling.pace, p));
       response.states.push_back(std::move(state));
     }
     result.modelings.push_back(std::move(response));
@@ -270,7 +276,9 @@ Result make_sample_motion(int outputs) {
   result.studies.push_back(std::move(turn));
 
   result.studies.push_back(study("shake", "response"));
-  result.studies.back().content = make_response();
+  result.studies.back().content = make_response(false);
+  result.studies.push_back(study("sweep", "response"));
+  result.studies.back().content = make_response(true);
   return result;
 }
 

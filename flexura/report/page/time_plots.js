@@ -38,13 +38,14 @@ const TimePlots = (() => {
     const grid = section.append('div').attr('class', 'charts charts-thirds').node();
     const figure = (name, unit, size, valueOf) => {
       const noise = 1e-9 * size;
+      const step = d3.max(motion.modelings, (m) => m.largest_step) || 1;
       const chart = new Chart(grid, {
         title: `Velocity, ${unit}/${time}`,
         xTitle: `${name}, ${unit}`,
         free: true,
         smooth: true,
         xNoise: noise,
-        noise: noise / motion.modelings[motion.reference].largest_step || noise,
+        noise: noise / step,
       });
       return { chart, valueOf, lines: [] };
     };
