@@ -195,6 +195,7 @@ class MotionTest(PageTest):
         self.assertEqual(12, len(self.drawn(".chart-event")))
         self.assertEqual(6, self.count("#peaks tbody tr"))
         self.assertEqual(3, self.count("#comparison .is-modeling"))
+        self.assertEqual(2, len(self.drawn(".connections path")))
         ring = self.drawn(".chosen .loaded-point")
         before = self.drawn(".plots .chart-line")
         self.choose("#place", self.texts("#place option").index("tip.P.y"))
