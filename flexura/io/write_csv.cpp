@@ -1,146 +1,32 @@
 #include "flexura/io/write_csv.hpp"
 
-#include <cmath>
-#include <iterator>
-#include <string_view>
-#include <vector>
+#include <optional>
+#include <string>
+#include <utility>
 
-#include <fmt/format.h>
-
-#include "flexura/results/point_owner.hpp"
+#include "flexura/io/csv_places.hpp"
 
 namespace flexura {
-namespace {
-
-/// Names are the engineer's: quoted where they hold what separates fields.
-std::string field(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
-  std::string quoted = "\"";
-  for (const char c : name) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
-/// Rows of named columns. Remembers the first value that is not a finite number.
-class CsvWriter {
- public:
-  explicit CsvWriter(std::vector<std::string> columns) : columns_(std::move(columns)) {
-    for (const std::string& name : columns_) separate() += field(name);
-    end_row();
-  }
-
-  CsvWriter& word(const std::string& text) {
-    separate() += field(text);
-    return *this;
-  }
-  CsvWriter& number(double value) {
-    if (!std::isfinite(value) && error_.empty()) {
-      error_ = fmt::format("row {}: {} is not a finite number", row_, columns_[column_]);
-    }
-    // Shortest text that reads back the same; + 0.0 writes the negative zero as 0.
-    fmt::format_to(std::back_inserter(separate()), "{}", value + 0.0);
-    return *this;
-  }
-  CsvWriter& vector(Vec2 v) { return number(v.x).number(v.y); }
-  void end_row() {
-    text_ += '\n';
-    column_ = 0;
-    ++row_;
-  }
-
-  CsvText result() && {
-    return error_.empty() ? CsvText{std::move(text_), {}} : CsvText{{}, std::move(error_)};
-  }
-
- private:
-  std::string& separate() {
-    if (column_++ > 0) text_ += ',';
-    return text_;
-  }
-
-  std::vector<std::string> columns_;
-  std::string text_;
-  std::string error_;
-  std::size_t column_ = 0;
-  int row_ = -1;  // the header; data rows count from 0, as the steps do
-};
-
-/// The points of every body, in the order of the columns; at last those that no body claims.
-template <class Names>
-std::vector<std::vector<std::size_t>> points_by_body(const Names& path) {
-  std::vector<std::vector<std::size_t>> points(path.bodies.size() + 1);
-  for (std::size_t p = 0; p < path.points.size(); ++p) {
-    points[owner_of_point(path, p).value_or(path.bodies.size())].push_back(p);
-  }
-  return points;
-}
-
-/// Columns of the places of all bodies, points and flexures behind `columns`.
-template <class Names>
-std::vector<std::string> place_columns(const Names& path, std::vector<std::string> columns) {
-  const auto add = [&](const std::string& name, std::initializer_list<const char*> suffixes) {
-    for (const char* suffix : suffixes) columns.push_back(name + suffix);
-  };
-  const auto points = points_by_body(path);
-  for (std::size_t b = 0; b < points.size(); ++b) {
-    if (b < path.bodies.size()) add(path.bodies[b], {".x", ".y", ".rotation"});
-    for (const std::size_t p : points[b]) add(path.points[p], {".x", ".y"});
-  }
-  for (const std::string& flexure : path.flexures) {
-    add(flexure, {".mid.x", ".mid.y", ".mid.rotation"});
-  }
-  return columns;
-}
-
-std::vector<std::string> path_columns(const PathResult& path) {
-  std::vector<std::string> columns = place_columns(path, {"step", "load_factor"});
-  for (const HeldPlace& held : path.held) {
-    for (const char* suffix : {".reaction.x", ".reaction.y", ".reaction.moment"}) {
-      columns.push_back(held.name + suffix);
-    }
-  }
-  return columns;
-}
-
-/// The places of a PathState or the displacements of a ModeShape.
-template <class State>
-void add_places(CsvWriter& csv, const std::vector<std::vector<std::size_t>>& points,
-                const State& state) {
-  for (std::size_t b = 0; b < points.size(); ++b) {
-    if (b + 1 < points.size())
-      csv.vector(state.bodies[b].position).number(state.bodies[b].rotation);
-    for (const std::size_t p : points[b]) csv.vector(state.points[p]);
-  }
-  for (const Pose& mid : state.mids) csv.vector(mid.position).number(mid.rotation);
-}
-
-}  // namespace
 
 CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling) {
   const auto points = points_by_body(path);
-  CsvWriter csv(path_columns(path));
+  CsvWriter csv(state_columns(path, {"step", "load_factor"}));
   int step = 0;
   for (const PathState& state : modeling.states) {
     csv.word(std::to_string(step++)).number(state.load_factor);
-    add_places(csv, points, state);
-    // The undeformed state may come without: nothing holds it.
-    for (std::size_t h = 0; h < path.held.size(); ++h) {
-      const Reaction r = state.reactions.empty() ? Reaction{} : state.reactions[h];
-      csv.vector(r.force).number(r.moment);
-    }
+    add_state(csv, points, path.held.size(), state);
     csv.end_row();
   }
   return std::move(csv).result();
 }
 
-CsvText make_members_csv(const PathResult& path, const ModelingPath& modeling) {
+CsvText make_members_csv(const std::vector<std::string>& flexures,
+                         const std::vector<std::vector<MemberStation>>& members) {
   CsvWriter csv({"flexure", "s", "x", "y", "rotation", "axial_force", "shear_force",
                  "bending_moment", "stress"});
-  for (std::size_t f = 0; f < modeling.members.size(); ++f) {
-    for (const MemberStation& m : modeling.members[f]) {
-      csv.word(path.flexures[f]).number(m.s).vector(m.section.position);
+  for (std::size_t f = 0; f < members.size(); ++f) {
+    for (const MemberStation& m : members[f]) {
+      csv.word(flexures[f]).number(m.s).vector(m.section.position);
       csv.number(m.section.rotation).number(m.axial_force).number(m.shear_force);
       csv.number(m.bending_moment).number(m.stress);
       csv.end_row();

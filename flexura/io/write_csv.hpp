@@ -1,17 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "flexura/io/csv_writer.hpp"
 #include "flexura/results/mode_result.hpp"
 #include "flexura/results/path_result.hpp"
 
 namespace flexura {
-
-/// A CSV file's text, or the sentence that says which value it cannot carry.
-struct CsvText {
-  std::string text;
-  std::string error;
-};
 
 /// step, load_factor; for every moving body x, y, rotation and then x, y of its points; for every
 /// flexure mid.x, mid.y, mid.rotation; with reactions, for every body reaction.x, .y, .moment.
@@ -19,7 +15,8 @@ struct CsvText {
 CsvText make_path_csv(const PathResult& path, const ModelingPath& modeling);
 
 /// flexure, s, x, y, rotation, axial_force, shear_force, bending_moment, stress of the last state.
-CsvText make_members_csv(const PathResult& path, const ModelingPath& modeling);
+CsvText make_members_csv(const std::vector<std::string>& flexures,
+                         const std::vector<std::vector<MemberStation>>& members);
 
 /// What the stage does in every state (see StageState); a cell without a value stays empty.
 CsvText make_stage_csv(const ModelingPath& modeling);

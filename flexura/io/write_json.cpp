@@ -1,36 +1,20 @@
 #include "flexura/io/write_json.hpp"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <variant>
 
-#include "flexura/results/extremes.hpp"
-#include "flexura/results/safety.hpp"
+#include "flexura/io/summary_json.hpp"
 
 namespace flexura {
 namespace {
 
-// Objects in the order they are built: that of the model file.
-using Json = nlohmann::ordered_json;
-
-Json pair(Vec2 v) { return Json::array({v.x, v.y}); }
-
-Json optional_number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
+using namespace summary;
 
 Json units_json(const Result& result) {
   return {{"length", result.length_unit},
           {"force", result.force_unit},
           {"time", result.time_unit},
           {"angle", "rad"}};
-}
-
-void add_termination(Json& json, const Termination& termination) {
-  json["status"] = termination.converged() ? "converged" : "stopped";
-  // What was never run has not converged: it counts as stopped, and says so.
-  const bool silent = termination.status == Status::not_run && termination.reason.empty();
-  json["reason"] = silent ? "not run" : termination.reason;
 }
 
 Json state_json(const PathResult& path, const PathState& state) {
@@ -69,40 +53,6 @@ void add_reaction_events(Json& json, const PathResult& path, const ModelingPath&
   }
 }
 
-/// Where the section forces and the stress of the last state are largest.
-Json extremes_json(const PathResult& path, const ModelingPath& modeling) {
-  Json json = Json::object();
-  const auto add = [&](const char* name, double MemberStation::*quantity) {
-    const std::optional<Extreme> extreme = find_extreme(modeling, quantity);
-    if (!extreme) return;
-    json[name] = {
-        {"value", extreme->value}, {"flexure", path.flexures[extreme->flexure]}, {"s", extreme->s}};
-  };
-  add("axial_force", &MemberStation::axial_force);
-  add("shear_force", &MemberStation::shear_force);
-  add("bending_moment", &MemberStation::bending_moment);
-  add("stress", &MemberStation::stress);
-  return json;
-}
-
-/// The factor at the last state, and where the path first reaches the strength.
-Json safety_json(const PathResult& path, const Safety& safety) {
-  const auto name = [&](std::size_t flexure) { return Json(path.flexures[flexure]); };
-  Json json = {{"factor", optional_number(safety.factor)},
-               {"flexure", safety.factor ? name(safety.flexure) : Json(nullptr)},
-               {"strength_reached", nullptr}};
-  if (!safety.reached) return json;
-  Json displacements = Json::object();
-  for (std::size_t p = 0; p < path.points.size(); ++p) {
-    const Vec2 moved = safety.reached->displacements[p];
-    displacements[path.points[p]] = {{"x", moved.x}, {"y", moved.y}};
-  }
-  json["strength_reached"] = {{"load_factor", safety.reached->load_factor},
-                              {"flexure", name(safety.reached->flexure)},
-                              {"displacements", std::move(displacements)}};
-  return json;
-}
-
 Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   Json json = {{"modeling", modeling.modeling}};
   add_termination(json, modeling.termination);
@@ -113,7 +63,8 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   json["error_estimate"] = optional_number(modeling.error_estimate);
   json["difference"] = optional_number(modeling.difference);
   json["extremes"] = extremes_json(path, modeling);
-  if (const auto safety = find_safety(path, modeling)) json["safety"] = safety_json(path, *safety);
+  if (const auto safety = find_safety(path, modeling))
+    json["safety"] = safety_json(path, *safety, "load_factor");
   Json& events = json["events"] = Json::array();
   for (const PathEvent& event : modeling.events) {
     events.push_back({{"kind", event.kind},
@@ -124,16 +75,31 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   return json;
 }
 
-Json modes_json(const ModelingModes& modeling) {
+Json modes_json(const ModelingModes& modeling, bool frequencies) {
   Json json = {{"modeling", modeling.modeling}};
   add_termination(json, modeling.termination);
   json["unknowns"] = modeling.unknowns;
   json["seconds"] = modeling.seconds;
   json["error_estimate"] = optional_number(modeling.error_estimate);
   json["difference"] = optional_number(modeling.difference);
-  json["load_factors"] = Json::array();
-  for (const Mode& mode : modeling.modes) json["load_factors"].push_back(mode.value);
+  Json& values = json[frequencies ? "angular_frequencies" : "load_factors"] = Json::array();
+  for (const Mode& mode : modeling.modes) values.push_back(mode.value);
+  for (const FrequencyPoint& point : modeling.curve) {
+    json["curve"].push_back(
+        {{"load_factor", point.load_factor}, {"angular_frequencies", point.angular_frequencies}});
+  }
   return json;
+}
+
+/// The reference's label, and every modeling under its own.
+template <class Content, class ModelingJson>
+void add_modelings(Json& json, const Content& content, ModelingJson modeling_json_of) {
+  if (content.reference < content.modelings.size()) {
+    json["reference"] = content.modelings[content.reference].label;
+  }
+  for (const auto& modeling : content.modelings) {
+    json["modelings"][modeling.label] = modeling_json_of(modeling);
+  }
 }
 
 Json study_json(const StudyResult& study) {
@@ -141,20 +107,17 @@ Json study_json(const StudyResult& study) {
   add_termination(json, study.termination);
   json["modelings"] = Json::object();
   if (const auto* path = std::get_if<PathResult>(&study.content)) {
-    if (path->reference < path->modelings.size()) {
-      json["reference"] = path->modelings[path->reference].label;
-    }
-    for (const ModelingPath& modeling : path->modelings) {
-      json["modelings"][modeling.label] = modeling_json(*path, modeling);
-    }
-  }
-  if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
-    if (modes->reference < modes->modelings.size()) {
-      json["reference"] = modes->modelings[modes->reference].label;
-    }
-    for (const ModelingModes& modeling : modes->modelings) {
-      json["modelings"][modeling.label] = modes_json(modeling);
-    }
+    add_modelings(json, *path, [&](const auto& m) { return modeling_json(*path, m); });
+  } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
+    add_modelings(json, *modes,
+                  [&](const auto& m) { return modes_json(m, study.kind == "modes"); });
+  } else if (const auto* motion = std::get_if<MotionResult>(&study.content)) {
+    json["method"] = motion->method;
+    json["damping"] = motion->damping;
+    add_modelings(json, *motion, [&](const auto& m) { return motion_json(*motion, m); });
+  } else if (const auto* response = std::get_if<ResponseResult>(&study.content)) {
+    json["damping"] = response->damping;
+    add_modelings(json, *response, [&](const auto& m) { return response_json(*response, m); });
   }
   return json;
 }

@@ -9,6 +9,7 @@
 
 #include "flexura/io/write_csv.hpp"
 #include "flexura/io/write_json.hpp"
+#include "flexura/io/write_motion_csv.hpp"
 
 namespace flexura {
 namespace {
@@ -39,6 +40,13 @@ class FileList {
   const std::vector<OutputFile>& files() const { return files_; }
 
  private:
+  void add_modeling(const std::filesystem::path& folder, const Result& result,
+                    const PathResult& path, const ModelingPath& modeling);
+  void add_modeling(const std::filesystem::path& folder, bool frequencies, const ModeResult& modes,
+                    const ModelingModes& modeling);
+  void add_modeling(const std::filesystem::path& folder, const MotionResult& motion,
+                    const ModelingMotion& modeling);
+
   void fail(const std::string& error) {
     if (error_.empty()) error_ = error;
   }
@@ -57,35 +65,65 @@ class FileList {
   std::string error_;
 };
 
+void FileList::add_modeling(const std::filesystem::path& folder, const Result& result,
+                            const PathResult& path, const ModelingPath& modeling) {
+  add(folder / (modeling.label + ".csv"), make_path_csv(path, modeling));
+  if (!modeling.members.empty()) {
+    add(folder / (modeling.label + ".members.csv"),
+        make_members_csv(path.flexures, modeling.members));
+  }
+  if (!modeling.stage.empty()) {
+    add(folder / (modeling.label + ".stage.csv"), make_stage_csv(modeling));
+  }
+  if (!path.condensed.empty()) {
+    add(folder / (modeling.label + ".stiffness.json"), make_stiffness_json(result, path, modeling));
+  }
+}
+
+void FileList::add_modeling(const std::filesystem::path& folder, bool frequencies,
+                            const ModeResult& modes, const ModelingModes& modeling) {
+  if (frequencies) {
+    add(folder / (modeling.label + ".modes.csv"), make_modes_csv(modeling));
+  } else {
+    add(folder / (modeling.label + ".buckling.csv"), make_buckling_csv(modeling));
+  }
+  add(folder / (modeling.label + ".shapes.csv"), make_shapes_csv(modes, modeling));
+  if (!modeling.curve.empty()) {
+    add(folder / (modeling.label + ".frequencies.csv"), make_frequencies_csv(modeling));
+  }
+}
+
+void FileList::add_modeling(const std::filesystem::path& folder, const MotionResult& motion,
+                            const ModelingMotion& modeling) {
+  add(folder / (modeling.label + ".csv"), make_motion_csv(motion, modeling));
+  add(folder / (modeling.label + ".energy.csv"), make_energy_csv(modeling));
+  if (!modeling.members.empty()) {
+    add(folder / (modeling.label + ".members.csv"),
+        make_members_csv(motion.flexures, modeling.members));
+  }
+}
+
 void FileList::add_study(const Result& result, const StudyResult& study) {
   if (!check_name("study", study.name)) return;
   const std::filesystem::path folder(study.name);
+  const auto for_each = [&](const auto& content, auto&& add_one) {
+    for (const auto& modeling : content.modelings)
+      if (check_name("label", modeling.label)) add_one(modeling);
+  };
   if (const auto* linear = std::get_if<LinearResult>(&study.content)) {
     add(folder / "ellipse.json", make_ellipse_json(result, study, *linear));
-    return;
-  }
-  if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
-    for (const ModelingModes& modeling : modes->modelings) {
-      if (!check_name("label", modeling.label)) continue;
-      add(folder / (modeling.label + ".buckling.csv"), make_buckling_csv(modeling));
-      add(folder / (modeling.label + ".shapes.csv"), make_shapes_csv(*modes, modeling));
-    }
-    return;
-  }
-  const auto& path = std::get<PathResult>(study.content);
-  for (const ModelingPath& modeling : path.modelings) {
-    if (!check_name("label", modeling.label)) continue;
-    add(folder / (modeling.label + ".csv"), make_path_csv(path, modeling));
-    if (!modeling.members.empty()) {
-      add(folder / (modeling.label + ".members.csv"), make_members_csv(path, modeling));
-    }
-    if (!modeling.stage.empty()) {
-      add(folder / (modeling.label + ".stage.csv"), make_stage_csv(modeling));
-    }
-    if (!path.condensed.empty()) {
-      add(folder / (modeling.label + ".stiffness.json"),
-          make_stiffness_json(result, path, modeling));
-    }
+  } else if (const auto* path = std::get_if<PathResult>(&study.content)) {
+    for_each(*path, [&](const auto& m) { add_modeling(folder, result, *path, m); });
+  } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
+    const bool frequencies = study.kind == "modes";
+    for_each(*modes, [&](const auto& m) { add_modeling(folder, frequencies, *modes, m); });
+  } else if (const auto* motion = std::get_if<MotionResult>(&study.content)) {
+    for_each(*motion, [&](const auto& m) { add_modeling(folder, *motion, m); });
+  } else {
+    const auto& response = std::get<ResponseResult>(study.content);
+    for_each(response, [&](const auto& m) {
+      add(folder / (m.label + ".response.csv"), make_response_csv(response, m));
+    });
   }
 }
 

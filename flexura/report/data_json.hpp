@@ -8,7 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "flexura/results/point_owner.hpp"
 #include "flexura/results/result.hpp"
+#include "flexura/results/safety.hpp"
 
 // How values of a Result become JSON for the page; included by report/*.cpp only.
 
@@ -62,8 +64,51 @@ class DrawnCoordinates {
   int decimals_ = 6;
 };
 
+/// What the rows of a PathResult or a MotionResult belong to.
+template <class Names>
+Json names_json(const Names& names) {
+  Json owners = Json::array();
+  for (std::size_t p = 0; p < names.points.size(); ++p) {
+    const std::optional<std::size_t> owner = owner_of_point(names, p);
+    owners.push_back(owner ? Json(*owner) : Json(nullptr));
+  }
+  Json held = Json::array();
+  for (const HeldPlace& place : names.held) {
+    held.push_back({{"name", place.name},
+                    {"body", place.body},
+                    {"point", place.point ? Json(*place.point) : Json(nullptr)}});
+  }
+  Json strengths = Json::array();
+  for (const auto& strength : names.strengths) strengths.push_back(optional_number(strength));
+  return {{"bodies", names.bodies},
+          {"points", names.points},
+          {"owners", std::move(owners)},
+          {"flexures", names.flexures},
+          {"strengths", std::move(strengths)},
+          {"held", std::move(held)},
+          {"reference", names.reference}};
+}
+
+/// Who a modeling is, how it ended, what it cost and how far it is off.
+template <class Modeling>
+Json modeling_head_json(const Modeling& m) {
+  return {{"label", m.label},
+          {"modeling", m.modeling},
+          {"converged", m.termination.converged()},
+          {"reason", m.termination.reason},
+          {"unknowns", m.unknowns},
+          {"seconds", rounded(m.seconds)},
+          {"error_estimate", optional_number(m.error_estimate)},
+          {"difference", optional_number(m.difference)}};
+}
+
+Json members_json(const std::vector<std::vector<MemberStation>>& members);
+Json safety_json(const std::optional<Safety>& safety);
+
 Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates);
 Json make_mode_json(const ModeResult& modes, const DrawnCoordinates& coordinates);
+Json make_motion_json(const MotionResult& motion, const DrawnCoordinates& coordinates);
+Json make_response_json(const ResponseResult& response);
 Json make_linear_json(const LinearResult& linear);
 
 }  // namespace flexura::report_data

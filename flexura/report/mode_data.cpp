@@ -42,15 +42,16 @@ Json make_mode_json(const ModeResult& result, const DrawnCoordinates& coordinate
   for (const ModelingModes& m : result.modelings) {
     Json modes = Json::array();
     for (const Mode& mode : m.modes) modes.push_back(mode_json(mode, coordinates));
-    modelings.push_back({{"label", m.label},
-                         {"modeling", m.modeling},
-                         {"converged", m.termination.converged()},
-                         {"reason", m.termination.reason},
-                         {"unknowns", m.unknowns},
-                         {"seconds", rounded(m.seconds)},
-                         {"error_estimate", optional_number(m.error_estimate)},
-                         {"difference", optional_number(m.difference)},
-                         {"modes", std::move(modes)}});
+    Json curve = Json::array();
+    for (const FrequencyPoint& point : m.curve) {
+      Json values = Json::array();
+      for (const double w : point.angular_frequencies) values.push_back(rounded(w));
+      curve.push_back({{"load_factor", rounded(point.load_factor)}, {"values", std::move(values)}});
+    }
+    Json json = modeling_head_json(m);
+    json["modes"] = std::move(modes);
+    json["curve"] = std::move(curve);
+    modelings.push_back(std::move(json));
   }
   return {{"bodies", result.bodies},
           {"flexures", result.flexures},

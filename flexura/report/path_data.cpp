@@ -1,7 +1,5 @@
 #include "flexura/report/data_json.hpp"
 #include "flexura/report/difference.hpp"
-#include "flexura/results/point_owner.hpp"
-#include "flexura/results/safety.hpp"
 
 namespace flexura::report_data {
 namespace {
@@ -33,30 +31,6 @@ Json state_json(const PathState& state, const DrawnCoordinates& coordinates) {
     }
   }
   return json;
-}
-
-Json members_json(const std::vector<std::vector<MemberStation>>& members) {
-  Json list = Json::array();
-  for (const std::vector<MemberStation>& stations : members) {
-    Json rows = Json::array();
-    for (const MemberStation& m : stations) {
-      rows.push_back({rounded(m.s), rounded(m.axial_force), rounded(m.shear_force),
-                      rounded(m.bending_moment), rounded(m.stress), rounded(m.section.position.x),
-                      rounded(m.section.position.y)});
-    }
-    list.push_back(std::move(rows));
-  }
-  return list;
-}
-
-Json safety_json(const std::optional<Safety>& safety) {
-  if (!safety) return nullptr;
-  Json reached;
-  if (safety->reached) {
-    reached = {{"flexure", safety->reached->flexure},
-               {"load_factor", rounded(safety->reached->load_factor)}};
-  }
-  return {{"factor", optional_number(safety->factor)}, {"reached", std::move(reached)}};
 }
 
 Json stage_json(const std::optional<StageState>& stage) {
@@ -109,56 +83,56 @@ Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordin
       differences.push_back(std::move(series));
     }
   }
-  return {{"label", m.label},
-          {"modeling", m.modeling},
-          {"converged", m.termination.converged()},
-          {"reason", m.termination.reason},
-          {"unknowns", m.unknowns},
-          {"steps", m.steps},
-          {"iterations", m.iterations},
-          {"seconds", rounded(m.seconds)},
-          {"error_estimate", optional_number(m.error_estimate)},
-          {"difference", optional_number(m.difference)},
-          {"safety", safety_json(find_safety(path, m))},
-          {"events", std::move(events)},
-          {"reaction_events", std::move(reaction_events)},
-          {"states", std::move(states)},
-          {"stage", std::move(stage)},
-          {"condensed", std::move(condensed)},
-          {"differences", std::move(differences)},
-          {"members", members_json(m.members)}};
+  Json json = modeling_head_json(m);
+  json["steps"] = m.steps;
+  json["iterations"] = m.iterations;
+  json["safety"] = safety_json(find_safety(path, m));
+  json["events"] = std::move(events);
+  json["reaction_events"] = std::move(reaction_events);
+  json["states"] = std::move(states);
+  json["stage"] = std::move(stage);
+  json["condensed"] = std::move(condensed);
+  json["differences"] = std::move(differences);
+  json["members"] = members_json(m.members);
+  return json;
 }
 
 }  // namespace
 
+Json members_json(const std::vector<std::vector<MemberStation>>& members) {
+  Json list = Json::array();
+  for (const std::vector<MemberStation>& stations : members) {
+    Json rows = Json::array();
+    for (const MemberStation& m : stations) {
+      rows.push_back({rounded(m.s), rounded(m.axial_force), rounded(m.shear_force),
+                      rounded(m.bending_moment), rounded(m.stress), rounded(m.section.position.x),
+                      rounded(m.section.position.y)});
+    }
+    list.push_back(std::move(rows));
+  }
+  return list;
+}
+
+Json safety_json(const std::optional<Safety>& safety) {
+  if (!safety) return nullptr;
+  Json reached;
+  if (safety->reached) {
+    reached = {{"flexure", safety->reached->flexure},
+               {"load_factor", rounded(safety->reached->load_factor)}};
+  }
+  return {{"factor", optional_number(safety->factor)}, {"reached", std::move(reached)}};
+}
+
 Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates) {
-  Json owners = Json::array();
-  for (std::size_t p = 0; p < path.points.size(); ++p) {
-    const std::optional<std::size_t> owner = owner_of_point(path, p);
-    owners.push_back(owner ? Json(*owner) : Json(nullptr));
-  }
-  Json held = Json::array();
-  for (const HeldPlace& place : path.held) {
-    held.push_back({{"name", place.name},
-                    {"body", place.body},
-                    {"point", place.point ? Json(*place.point) : Json(nullptr)}});
-  }
-  Json strengths = Json::array();
-  for (const auto& strength : path.strengths) strengths.push_back(optional_number(strength));
   Json modelings = Json::array();
   for (std::size_t m = 0; m < path.modelings.size(); ++m) {
     modelings.push_back(modeling_json(path, m, coordinates));
   }
-  return {{"bodies", path.bodies},
-          {"points", path.points},
-          {"owners", std::move(owners)},
-          {"flexures", path.flexures},
-          {"strengths", std::move(strengths)},
-          {"stage", path.stage},
-          {"condensed", path.condensed},
-          {"held", std::move(held)},
-          {"reference", path.reference},
-          {"modelings", std::move(modelings)}};
+  Json json = names_json(path);
+  json["stage"] = path.stage;
+  json["condensed"] = path.condensed;
+  json["modelings"] = std::move(modelings);
+  return json;
 }
 
 }  // namespace flexura::report_data

@@ -40,9 +40,18 @@ Json drawing_json(const Drawing& drawing, const DrawnCoordinates& coordinates) {
                        {"action_place", pair(s.action_place)},
                        {"torsional", s.torsional}});
   }
+  Json joints = Json::array();
+  for (const DrawnJoint& j : drawing.joints) {
+    joints.push_back({{"name", j.name},
+                      {"base", j.base},
+                      {"action", j.action},
+                      {"at", pair(j.at)},
+                      {"direction", j.direction ? pair(*j.direction) : Json(nullptr)}});
+  }
   return {{"flexures", std::move(flexures)},
           {"bodies", std::move(bodies)},
-          {"springs", std::move(springs)}};
+          {"springs", std::move(springs)},
+          {"joints", std::move(joints)}};
 }
 
 Json loads_json(const std::vector<DrawnLoad>& loads) {
@@ -52,7 +61,8 @@ Json loads_json(const std::vector<DrawnLoad>& loads) {
                     {"force", pair(load.force)},
                     {"moment", rounded(load.moment)},
                     {"follower", load.follower},
-                    {"constant", load.constant}});
+                    {"constant", load.constant},
+                    {"history", load.history}});
   }
   return list;
 }
@@ -78,6 +88,10 @@ Json study_json(const StudyResult& study, const DrawnCoordinates& coordinates) {
     json["path"] = make_path_json(*path, coordinates);
   } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
     json["modes"] = make_mode_json(*modes, coordinates);
+  } else if (const auto* motion = std::get_if<MotionResult>(&study.content)) {
+    json["motion"] = make_motion_json(*motion, coordinates);
+  } else if (const auto* response = std::get_if<ResponseResult>(&study.content)) {
+    json["response"] = make_response_json(*response);
   } else {
     json["linear"] = make_linear_json(std::get<LinearResult>(study.content));
   }

@@ -1,159 +1,100 @@
 #include "flexura/report/table.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string_view>
+#include <numbers>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "flexura/report/table_parts.hpp"
 #include "flexura/report/wrap.hpp"
-#include "flexura/results/safety.hpp"
 
 namespace flexura {
 namespace {
 
-constexpr std::size_t line_width = 96;
-using Row = std::vector<std::string>;
+using namespace table;
 
-enum class Ink { plain, bold, faint, good, bad };
-
-std::string paint(std::string_view text, Ink ink, bool colour) {
-  static constexpr std::string_view escapes[] = {"", "\x1b[1m", "\x1b[2m", "\x1b[32m", "\x1b[31m"};
-  if (!colour || ink == Ink::plain) return std::string(text);
-  return fmt::format("{}{}\x1b[0m", escapes[static_cast<int>(ink)], text);
-}
-
-/// Three significant digits without an exponent where that stays short.
-std::string number(double value) {
-  if (value == 0.0) return "0";
-  const double size = std::abs(value);
-  if (size < 1e-4 || size >= 1e5) return fmt::format("{:.2e}", value);
-  const int decimals = 2 - static_cast<int>(std::floor(std::log10(size)));
-  return fmt::format("{:.{}f}", value, std::max(0, decimals));
-}
-
-std::string duration(double seconds) {
-  if (seconds < 1e-3) return number(1e6 * seconds) + " us";
-  if (seconds < 1.0) return number(1e3 * seconds) + " ms";
-  return number(seconds) + " s";
-}
-
-std::string percent(const std::optional<double>& fraction) {
-  return fraction && std::isfinite(*fraction) ? number(100.0 * *fraction) + " %" : "-";
-}
-
-/// The columns of every table; a last one where a strength is stated.
-Row row_of(const ModelingPath& m, bool is_reference, const std::optional<Safety>& safety) {
-  Row row{m.label,
-          m.termination.converged() ? "converged" : "stopped",
-          std::to_string(m.unknowns),
-          std::to_string(m.steps),
-          std::to_string(m.iterations),
-          duration(m.seconds),
-          percent(m.error_estimate),
-          is_reference ? "reference" : percent(m.difference)};
-  if (safety) row.push_back(safety->factor ? number(*safety->factor) : "-");
-  return row;
-}
-
-/// Two columns of words to the left, numbers to the right.
-std::string align(const Row& row, const std::vector<std::size_t>& widths, Ink status_ink,
-                  bool colour) {
-  std::string line = " ";
-  for (std::size_t c = 0; c < row.size(); ++c) {
-    const std::string gap(widths[c] - display_width(row[c]), ' ');
-    const bool left = c < 2;
-    // Escapes take no room on the screen, so they are put around what is already measured.
-    const std::string text = c == 1 ? paint(row[c], status_ink, colour) : row[c];
-    line += ' ' + (left ? text + gap : gap + text) + (c + 1 < row.size() ? " " : "");
-  }
-  return line + '\n';
+Row cells_of(const ModelingPath& m, bool is_reference) {
+  Row cells = first_cells(m);
+  for (const int count : {m.unknowns, m.steps, m.iterations})
+    cells.push_back(std::to_string(count));
+  cells.push_back(duration(m.seconds));
+  add_errors(cells, m, is_reference);
+  return cells;
 }
 
 /// Events on the way and why it stopped, below the row they belong to.
 std::string notes(const PathResult& path, const ModelingPath& m,
                   const std::optional<Safety>& safety, bool colour) {
   std::string text;
-  const auto add = [&](const std::string& note, Ink ink) {
-    for (const std::string& line : wrap_text(note, line_width - 6)) {
-      text += "      " + paint(line, ink, colour) + '\n';
-    }
-  };
   for (const PathEvent& event : m.events) {
-    add(fmt::format("{} at load factor {:.4g}", event.kind, event.load_factor), Ink::faint);
+    text += note(fmt::format("{} at load factor {:.4g}", event.kind, event.load_factor), Ink::faint,
+                 colour);
   }
   if (safety && safety->reached) {
-    add(fmt::format("strength of {} reached at load factor {:.4g}",
-                    path.flexures[safety->reached->flexure], safety->reached->load_factor),
-        Ink::bad);
+    text += note(fmt::format("strength of {} reached at load factor {:.4g}",
+                             path.flexures[safety->reached->flexure], safety->reached->load_factor),
+                 Ink::bad, colour);
   }
-  if (!m.termination.converged()) {
-    const std::string place =
-        m.states.empty() ? "" : fmt::format("at load factor {:.4g}: ", m.states.back().load_factor);
-    const std::string& reason = m.termination.reason;
-    add("stopped " + place + (reason.empty() ? "no reason was given" : reason), Ink::bad);
-  }
-  return text;
+  const std::string place =
+      m.states.empty() ? "" : fmt::format("at load factor {:.4g}: ", m.states.back().load_factor);
+  return text + stop_note(m.termination, place, colour);
 }
 
 std::string path_table(const StudyResult& study, const PathResult& path, bool colour) {
-  std::vector<Row> rows{{"modeling", "status", "unknowns", "steps", "iterations", "time",
-                         "error est.", "difference"}};
+  Row titles{"modeling",   "status", "unknowns",   "steps",
+             "iterations", "time",   "error est.", "difference"};
+  std::vector<Line> lines;
   std::vector<std::optional<Safety>> safeties;
-  for (std::size_t m = 0; m < path.modelings.size(); ++m) {
-    safeties.push_back(find_safety(path, path.modelings[m]));
-    rows.push_back(row_of(path.modelings[m], m == path.reference, safeties.back()));
+  for (std::size_t i = 0; i < path.modelings.size(); ++i) {
+    const ModelingPath& m = path.modelings[i];
+    safeties.push_back(find_safety(path, m));
+    lines.push_back({cells_of(m, i == path.reference), m.termination.converged(),
+                     notes(path, m, safeties.back(), colour)});
   }
-  if (std::ranges::any_of(safeties, [](const auto& safety) { return safety.has_value(); })) {
-    rows.front().emplace_back("safety");
-    // Of a modeling that never began nothing is known.
-    for (Row& row : rows) row.resize(rows.front().size(), "-");
-  }
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      widths[c] = std::max(widths[c], display_width(row[c]));
-    }
-  }
-  std::string text = paint(study.name, Ink::bold, colour) + "  " + study.kind;
-  if (path.reference < path.modelings.size()) {
-    text += ", compared with " + path.modelings[path.reference].label;
-  }
-  text += '\n' + paint(align(rows.front(), widths, Ink::plain, false), Ink::faint, colour);
-  for (std::size_t m = 0; m < path.modelings.size(); ++m) {
-    const ModelingPath& modeling = path.modelings[m];
-    text +=
-        align(rows[m + 1], widths, modeling.termination.converged() ? Ink::good : Ink::bad, colour);
-    text += notes(path, modeling, safeties[m], colour);
-  }
-  return text;
+  add_safety(titles, lines, safeties);
+  const bool compared = path.reference < path.modelings.size();
+  return headline(study, compared ? path.modelings[path.reference].label : "", colour) +
+         lay_out(titles, lines, colour);
 }
 
-/// One line per modeling: its first load factors and how sure they are.
-std::string mode_table(const StudyResult& study, const ModeResult& modes, bool colour) {
+/// The first load factors or, of kind `modes`, frequencies.
+std::string mode_values(const Result& result, const StudyResult& study, const ModelingModes& m) {
   constexpr std::size_t shown = 4;
-  std::string text = paint(study.name, Ink::bold, colour) + "  " + study.kind + '\n';
+  const bool frequencies = study.kind == "modes";
+  std::string text = frequencies ? "frequency" : "load factor";
+  for (std::size_t k = 0; k < std::min(shown, m.modes.size()); ++k) {
+    const double value = m.modes[k].value;
+    if (frequencies && value < 0.0) {
+      text += " unstable";
+    } else {
+      text += fmt::format(" {:.6g}", frequencies ? value / (2.0 * std::numbers::pi) : value);
+    }
+  }
+  if (m.modes.size() > shown) text += " ..";
+  if (m.modes.empty()) return text + " none";
+  return frequencies ? text + ' ' + frequency_unit(result.time_unit) : text;
+}
+
+/// One line per modeling: its first values and how sure they are.
+std::string mode_table(const Result& result, const StudyResult& study, const ModeResult& modes,
+                       bool colour) {
+  std::string text = headline(study, "", colour);
   std::size_t width = 0;
   for (const ModelingModes& m : modes.modelings) width = std::max(width, display_width(m.label));
   for (std::size_t i = 0; i < modes.modelings.size(); ++i) {
     const ModelingModes& m = modes.modelings[i];
+    const bool converged = m.termination.converged();
     text += "  " + m.label + std::string(width - display_width(m.label), ' ') + "  ";
-    text += m.termination.converged() ? paint("converged", Ink::good, colour)
-                                      : paint("stopped  ", Ink::bad, colour);
-    text += "  load factor";
-    for (std::size_t k = 0; k < std::min(shown, m.modes.size()); ++k)
-      text += fmt::format(" {:.6g}", m.modes[k].value);
-    if (m.modes.size() > shown) text += " ..";
-    if (m.modes.empty()) text += " none";
+    text +=
+        converged ? paint("converged", Ink::good, colour) : paint("stopped  ", Ink::bad, colour);
+    text += "  " + mode_values(result, study, m);
     if (m.error_estimate) text += "  error est. " + percent(m.error_estimate);
     if (i == modes.reference) text += "  reference";
     if (m.difference) text += "  difference " + percent(m.difference);
     text += "  " + duration(m.seconds) + '\n';
-    for (const std::string& line : wrap_text(m.termination.reason, line_width - 6))
-      text +=
-          "      " + paint(line, m.termination.converged() ? Ink::faint : Ink::bad, colour) + '\n';
+    text += note(m.termination.reason, converged ? Ink::faint : Ink::bad, colour);
   }
   return text;
 }
@@ -180,7 +121,11 @@ std::string make_comparison_table(const Result& result, bool colour) {
     if (const auto* path = std::get_if<PathResult>(&study.content)) {
       text += path_table(study, *path, colour);
     } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
-      text += mode_table(study, *modes, colour);
+      text += mode_table(result, study, *modes, colour);
+    } else if (const auto* motion = std::get_if<MotionResult>(&study.content)) {
+      text += motion_table(result, study, *motion, colour);
+    } else if (const auto* response = std::get_if<ResponseResult>(&study.content)) {
+      text += response_table(result, study, *response, colour);
     } else {
       text += linear_line(study, std::get<LinearResult>(study.content), colour);
     }

@@ -5,14 +5,23 @@
 namespace flexura {
 namespace {
 
-/// Lagrange's polynomial through up to four states around an interval of the path.
+using Strengths = std::vector<std::optional<double>>;
+
+/// A state, and where on the way it is: load factor or time.
+struct Stop {
+  double at = 0.0;
+  const PathState* state = nullptr;
+};
+using Way = std::vector<Stop>;
+
+/// Lagrange's polynomial through up to four states around an interval of the way.
 class Interpolation {
  public:
-  /// Between states end - 1 and end.
-  Interpolation(const std::vector<PathState>& states, std::size_t end)
-      : states_(states), first_(end >= 2 ? end - 2 : 0), end_(end) {
-    const std::size_t last = std::min(end + 1, states.size() - 1);
-    for (std::size_t i = first_; i <= last; ++i) times_.push_back(states[i].load_factor);
+  /// Between stops end - 1 and end.
+  Interpolation(const Way& way, std::size_t end)
+      : way_(way), first_(end >= 2 ? end - 2 : 0), end_(end) {
+    const std::size_t last = std::min(end + 1, way.size() - 1);
+    for (std::size_t i = first_; i <= last; ++i) times_.push_back(way[i].at);
     // A load that turns back is no measure of the way: the states are counted then.
     const bool grows = std::ranges::is_sorted(times_, std::ranges::less_equal{});
     const bool falls = std::ranges::is_sorted(times_, std::ranges::greater_equal{});
@@ -25,9 +34,9 @@ class Interpolation {
 
   template <class Value>
   auto at(double time, Value value) const {
-    decltype(value(states_[0])) sum{};
+    decltype(value(way_[0])) sum{};
     for (std::size_t i = 0; i < times_.size(); ++i)
-      sum = sum + weight(i, time) * value(states_[first_ + i]);
+      sum = sum + weight(i, time) * value(way_[first_ + i]);
     return sum;
   }
 
@@ -39,7 +48,7 @@ class Interpolation {
     return weight;
   }
 
-  const std::vector<PathState>& states_;
+  const Way& way_;
   std::size_t first_;
   std::size_t end_;
   std::vector<double> times_;
@@ -58,65 +67,89 @@ double share_until(const Interpolation& way, std::size_t flexure, double strengt
   double above = 1.0;
   for (int halving = 0; halving < 50; ++halving) {
     const double middle = 0.5 * (below + above);
-    const double stress =
-        way.at(begin + middle * step, [&](const PathState& s) { return s.peak_stresses[flexure]; });
+    const double stress = way.at(begin + middle * step, [&](const Stop& stop) {
+      return stop.state->peak_stresses[flexure];
+    });
     (stress < strength ? below : above) = middle;
   }
   return above;
 }
 
-StrengthReached reached_at_start(std::size_t flexure, const PathState& start) {
-  return {flexure, start.load_factor, std::vector<Vec2>(start.points.size())};
+StrengthReached reached_at_start(std::size_t flexure, const Stop& start) {
+  return {flexure, start.at, std::vector<Vec2>(start.state->points.size())};
 }
 
-std::optional<StrengthReached> find_reached(const PathResult& path, const ModelingPath& modeling) {
-  const std::vector<PathState>& states = modeling.states;
-  const auto strengths = [&](auto&& use) {
-    for (std::size_t f = 0; f < path.strengths.size(); ++f)
-      if (path.strengths[f]) use(f, *path.strengths[f]);
+std::optional<StrengthReached> find_reached(const Strengths& strengths, const Way& way) {
+  const auto each_strength = [&](auto&& use) {
+    for (std::size_t f = 0; f < strengths.size(); ++f)
+      if (strengths[f]) use(f, *strengths[f]);
   };
-  for (std::size_t i = 0; i < states.size(); ++i) {
+  for (std::size_t i = 0; i < way.size(); ++i) {
     std::optional<std::size_t> flexure;
     double share = 1.0;
-    strengths([&](std::size_t f, double strength) {
-      if (!reaches(states[i], f, strength)) return;
-      const double until = i == 0 ? 0.0 : share_until({states, i}, f, strength);
+    each_strength([&](std::size_t f, double strength) {
+      if (!reaches(*way[i].state, f, strength)) return;
+      const double until = i == 0 ? 0.0 : share_until({way, i}, f, strength);
       if (flexure && until >= share) return;
       flexure = f;
       share = until;
     });
     if (!flexure) continue;
-    if (i == 0) return reached_at_start(*flexure, states[0]);
-    const Interpolation way(states, i);
-    const double time = way.begin_time() + share * (way.end_time() - way.begin_time());
+    if (i == 0) return reached_at_start(*flexure, way[0]);
+    const Interpolation between(way, i);
+    const double time = between.begin_time() + share * (between.end_time() - between.begin_time());
     StrengthReached reached{
-        *flexure, way.at(time, [](const PathState& s) { return s.load_factor; }), {}};
-    for (std::size_t p = 0; p < path.points.size(); ++p) {
-      reached.displacements.push_back(
-          way.at(time, [&](const PathState& s) { return s.points[p] - states[0].points[p]; }));
+        *flexure, between.at(time, [](const Stop& stop) { return stop.at; }), {}};
+    for (std::size_t p = 0; p < way[0].state->points.size(); ++p) {
+      reached.displacements.push_back(between.at(
+          time, [&](const Stop& stop) { return stop.state->points[p] - way[0].state->points[p]; }));
     }
     return reached;
   }
   return {};
 }
 
-}  // namespace
-
-std::optional<Safety> find_safety(const PathResult& path, const ModelingPath& modeling) {
-  const bool stated = std::ranges::any_of(
-      path.strengths, [](const auto& strength) { return strength.has_value(); });
-  if (!stated || modeling.states.empty()) return {};
+std::optional<Safety> safety_along(const Way& way, const Strengths& strengths) {
+  const bool stated =
+      std::ranges::any_of(strengths, [](const auto& strength) { return strength.has_value(); });
+  if (!stated || way.empty()) return {};
   Safety safety;
-  const PathState& last = modeling.states.back();
-  for (std::size_t f = 0; f < path.strengths.size(); ++f) {
-    if (!path.strengths[f] || !(last.peak_stresses[f] > 0.0)) continue;
-    const double factor = *path.strengths[f] / last.peak_stresses[f];
+  const PathState& last = *way.back().state;
+  for (std::size_t f = 0; f < strengths.size(); ++f) {
+    if (!strengths[f] || !(last.peak_stresses[f] > 0.0)) continue;
+    const double factor = *strengths[f] / last.peak_stresses[f];
     if (safety.factor && factor >= *safety.factor) continue;
     safety.factor = factor;
     safety.flexure = f;
   }
-  safety.reached = find_reached(path, modeling);
+  safety.reached = find_reached(strengths, way);
   return safety;
+}
+
+}  // namespace
+
+std::optional<Safety> find_safety(const PathResult& path, const ModelingPath& modeling) {
+  Way way;
+  for (const PathState& state : modeling.states) way.push_back({state.load_factor, &state});
+  return safety_along(way, path.strengths);
+}
+
+std::optional<Safety> find_safety(const MotionResult& motion, const ModelingMotion& modeling) {
+  Way way;
+  for (const MotionState& moment : modeling.states)
+    // A modeling that knows no stresses has nothing to set against the strengths.
+    if (!moment.state.peak_stresses.empty()) way.push_back({moment.time, &moment.state});
+  return safety_along(way, motion.strengths);
+}
+
+std::optional<StressPeak> find_largest_stress(const ModelingMotion& modeling) {
+  std::optional<StressPeak> peak;
+  for (const MotionState& moment : modeling.states) {
+    const std::vector<double>& stresses = moment.state.peak_stresses;
+    for (std::size_t f = 0; f < stresses.size(); ++f)
+      if (!peak || stresses[f] > peak->stress) peak = StressPeak{stresses[f], moment.time, f};
+  }
+  return peak;
 }
 
 }  // namespace flexura

@@ -1,8 +1,28 @@
 #include "flexura/studies/drawing.hpp"
 
+#include <variant>
+
 #include "flexura/assembly/two_port.hpp"
 
 namespace flexura {
+namespace {
+
+/// A slider has no place of its own: it is drawn where the body that slides is.
+DrawnJoint make_drawn_joint(const Model& model, const Joint& joint) {
+  DrawnJoint drawn;
+  drawn.name = joint.name;
+  drawn.base = model.bodies[joint.base].name;
+  drawn.action = model.bodies[joint.action].name;
+  if (const auto* pin = std::get_if<RevoluteJoint>(&joint.kind)) {
+    drawn.at = pin->at;
+  } else {
+    drawn.at = body_centre(model, joint.action);
+    drawn.direction = std::get<PrismaticJoint>(joint.kind).direction;
+  }
+  return drawn;
+}
+
+}  // namespace
 
 Drawing make_drawing(const Model& model) {
   Drawing drawing;
@@ -49,6 +69,7 @@ Drawing make_drawing(const Model& model) {
                                model.bodies[spring.action.body].name, place(spring.base),
                                place(spring.action), spring.torsional});
   }
+  for (const Joint& joint : model.joints) drawing.joints.push_back(make_drawn_joint(model, joint));
   return drawing;
 }
 

@@ -6,115 +6,22 @@ report_test.py REPORT.html [--screenshots FOLDER]
 Exit status 77 where chromium or chromedriver is not installed, which ctest counts as skipped.
 """
 
-import argparse
-import pathlib
-import shutil
 import sys
 import time
-import unittest
 
-from webdriver import Browser
+import page
+from page import FLEXURE_PATHS, UNTIDY, PageTest
 
-SKIPPED = 77
-REPORT = None
-
-SEEK = """
-  const slider = document.getElementById('load-slider');
-  slider.value = arguments[0] * slider.max;
-  slider.dispatchEvent(new Event('input'));
-"""
-FLEXURE_PATHS = """
-  return [...document.querySelectorAll('.flexures path')].map((path) => {
-    const box = path.getBBox();
-    return { modeling: path.dataset.modeling, d: path.getAttribute('d'),
-             size: Math.max(box.width, box.height) };
-  });
-"""
-STUDIES = "return [...document.querySelectorAll('#tabs button')].map((tab) => tab.dataset.study);"
-
-# Texts that stick out of the page or of what clips them, and texts that lie on one another.
-UNTIDY = r"""
-  const visible = (e) => e.getClientRects().length > 0 && !e.closest('.chart-tip, .table-frame');
-  const leaves = [...document.querySelectorAll('body *')].filter((e) => visible(e)
-    && !['SCRIPT', 'STYLE', 'OPTION', 'OPTGROUP', 'SELECT', 'TITLE'].includes(e.tagName)
-    && [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim()));
-  const found = [];
-  const name = (e) => `${e.tagName} "${e.textContent.trim().slice(0, 40)}"`;
-  const boxes = leaves.map((e) => {
-    const range = document.createRange();
-    range.selectNodeContents(e);
-    return { e, box: range.getBoundingClientRect() };
-  });
-  const drawn = (e) => e.closest('.view-svg') !== null;
-  for (const { e, box } of boxes) {
-    const svg = e.closest('svg');
-    const frame = svg ? svg.getBoundingClientRect()
-      : { left: 0, right: document.documentElement.clientWidth };
-    if (box.left < frame.left - 1 || box.right > frame.right + 1) {
-      found.push(`${name(e)} sticks out`);
-    }
-    if (svg && !drawn(e) && (box.top < frame.top - 2 || box.bottom > frame.bottom + 2)) {
-      found.push(`${name(e)} is cut off`);
-    }
-  }
-  // Names in the drawing lie where the mechanism is; all other texts keep clear of each other.
-  const placed = boxes.filter(({ e }) => !drawn(e));
-  for (let i = 0; i < placed.length; ++i) {
-    for (let j = i + 1; j < placed.length; ++j) {
-      const [a, b] = [placed[i], placed[j]];
-      if (a.e.contains(b.e) || b.e.contains(a.e)) continue;
-      const w = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
-      const h = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
-      if (w > 1.5 && h > 3) found.push(`${name(a.e)} lies on ${name(b.e)}`);
-    }
-  }
-  if (document.documentElement.scrollWidth > document.documentElement.clientWidth) {
-    found.push('the page scrolls sideways');
-  }
-  return found;
-"""
+PATHS = ("path", "inverse")
 
 
-class ReportTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser(1280, 900)
-        cls.browser.__enter__()
-        cls.addClassCleanup(cls.browser.__exit__, None, None, None)
-
-    def setUp(self):
-        self.browser.open(REPORT.as_uri())
-        time.sleep(0.2)
-        self.studies = self.browser.script(STUDIES)
-
-    def tearDown(self):
-        entries = [e for e in self.browser.log() if e["level"] in ("SEVERE", "WARNING")]
-        self.assertEqual([], entries, "the console must stay silent")
-        requests = self.browser.script(
-            "return performance.getEntriesByType('resource').map((e) => e.name)")
-        self.assertEqual([], requests, "the page must ask the network for nothing")
-
-    def open_study(self, name):
-        self.browser.script(
-            "[...document.querySelectorAll('#tabs button')]"
-            ".find((tab) => tab.dataset.study === arguments[0]).click()", name)
-        time.sleep(0.15)
-
-    def kind(self):
-        if self.browser.script("return document.getElementById('load-slider') !== null"):
-            return "path"
-        return "linear"
-
+class ReportTest(PageTest):
     def path_study(self):
         for study in self.studies:
             self.open_study(study)
-            if self.kind() == "path":
+            if self.kind() in PATHS:
                 return study
         self.skipTest("no study of kind path")
-
-    def seek(self, share):
-        self.browser.script(SEEK, share)
-        time.sleep(0.1)
 
     def test_every_tab_opens_and_draws(self):
         self.assertGreater(len(self.studies), 0)
@@ -124,7 +31,8 @@ class ReportTest(unittest.TestCase):
                 selected = self.browser.script(
                     "return document.querySelector('[aria-selected=true]').dataset.study")
                 self.assertEqual(study, selected)
-                drawn = ".flexures path" if self.kind() == "path" else ".still-flexures path"
+                still = self.kind() in ("linear", "response")
+                drawn = ".still-flexures path" if still else ".flexures path"
                 sizes = self.browser.script(
                     "return [...document.querySelectorAll(arguments[0])].map((p) => {"
                     "const b = p.getBBox(); return Math.max(b.width, b.height); })", drawn)
@@ -290,7 +198,7 @@ class ReportTest(unittest.TestCase):
         seen = 0
         for study in self.studies:
             self.open_study(study)
-            if self.kind() != "path":
+            if self.kind() not in PATHS:
                 continue
             self.seek(1.0)
             arrows = self.browser.script(
@@ -319,7 +227,7 @@ class ReportTest(unittest.TestCase):
         safeties = 0
         for study in self.studies:
             self.open_study(study)
-            if self.kind() != "path":
+            if self.kind() not in PATHS:
                 continue
             rows = self.browser.script(
                 "return [...document.querySelectorAll('#extremes tbody tr')]"
@@ -357,7 +265,7 @@ class ReportTest(unittest.TestCase):
             for study in self.studies:
                 with self.subTest(width=width, study=study):
                     self.open_study(study)
-                    if self.kind() == "path":
+                    if self.kind() in PATHS:
                         self.choose_diagram("stress")
                     self.assertEqual([], self.browser.script(UNTIDY))
         self.browser.resize(1280, 900)
@@ -367,37 +275,5 @@ class ReportTest(unittest.TestCase):
             "return document.querySelectorAll('h1 *, #tabs script').length"))
 
 
-def take_screenshots(folder):
-    folder.mkdir(parents=True, exist_ok=True)
-    for dark in (False, True):
-        with Browser(1280, 900, dark) as browser:
-            browser.open(REPORT.as_uri())
-            for number, study in enumerate(browser.script(STUDIES)):
-                browser.script("document.querySelectorAll('#tabs button')[arguments[0]].click()",
-                               number)
-                time.sleep(0.3)
-                theme = "dark" if dark else "light"
-                plain = "".join(c if c.isalnum() else "_" for c in study)
-                browser.screenshot(folder / f"{number}_{plain}_{theme}.png")
-
-
-def main():
-    global REPORT
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("report", type=pathlib.Path)
-    parser.add_argument("--screenshots", type=pathlib.Path)
-    options = parser.parse_args()
-    missing = [tool for tool in ("chromium", "chromedriver") if shutil.which(tool) is None]
-    if missing:
-        print(f"skipped: {' and '.join(missing)} not installed "
-              "(Debian packages chromium, chromium-driver)")
-        return SKIPPED
-    REPORT = options.report.resolve(strict=True)
-    if options.screenshots:
-        take_screenshots(options.screenshots)
-    outcome = unittest.main(module=__name__, argv=[sys.argv[0]], exit=False).result
-    return 0 if outcome.wasSuccessful() else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(page.main(__name__, __doc__))

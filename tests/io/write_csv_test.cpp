@@ -119,7 +119,7 @@ TEST(MembersCsv, HasARowPerStation) {
   PathResult path = make_path();
   path.modelings[0].members = {
       {{0.5, {{1, 2}, 0.25}, 3, 4, 5, 6}, {0.75, {{1, 2}, 0.25}, 3, 4, 5, 6}}};
-  const Rows rows = rows_of(make_members_csv(path, path.modelings[0]).text);
+  const Rows rows = rows_of(make_members_csv(path.flexures, path.modelings[0].members).text);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"flexure", "s", "x", "y", "rotation", "axial_force",
                                                "shear_force", "bending_moment", "stress"}));

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "tests/report/sample_motion.hpp"
 #include "tests/report/sample_result.hpp"
 
 namespace flexura {
@@ -57,6 +58,29 @@ TEST_F(WriteResults, WritesTheFilesOfTheContract) {
   }
   EXPECT_EQ(names.size(), 2U + 20U + 10U + 8U + 1U);
   EXPECT_EQ(read(top_ / folder / "report.html"), "<html>");
+}
+
+TEST_F(WriteResults, WritesTheFilesOfMotions) {
+  ASSERT_EQ(write_results(sample::make_sample_motion(), "<html>", top_).error, "");
+  const std::set<std::string> names = content();
+  for (const char* name : {"sing/exact.modes.csv", "sing/exact.shapes.csv",
+                           "sing/exact.frequencies.csv", "turn/scmbm.csv", "turn/scmbm.energy.csv",
+                           "turn/scmbm.members.csv", "shake/prbm.response.csv"}) {
+    EXPECT_TRUE(names.contains(name)) << name;
+  }
+  EXPECT_EQ(names.size(), 2U + 9U + 12U + 3U + 3U);
+}
+
+TEST_F(WriteResults, NamesTheFilesOfModesByTheirKind) {
+  Result result = sample::make_sample_motion();
+  result.studies.resize(1);
+  result.studies[0].kind = "buckling";
+  auto& modes = std::get<ModeResult>(result.studies[0].content);
+  modes.modelings.resize(1);
+  modes.modelings[0].curve.clear();
+  ASSERT_EQ(write_results(result, "<html>", top_).error, "");
+  EXPECT_EQ(content(), (std::set<std::string>{"report.html", "sing/prbm.buckling.csv",
+                                              "sing/prbm.shapes.csv", "summary.json"}));
 }
 
 TEST_F(WriteResults, ReplacesOldResultsAndKeepsOtherFiles) {

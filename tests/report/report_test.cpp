@@ -10,6 +10,7 @@
 #include <string>
 
 #include "flexura/report/assets.hpp"
+#include "tests/report/sample_motion.hpp"
 #include "tests/report/sample_result.hpp"
 
 namespace flexura {
@@ -135,18 +136,28 @@ TEST(Report, HoldsAntipolarAsPointAndDirection) {
   EXPECT_NEAR(dot(line.normal, direction), 0.0, 1e-6);
 }
 
-// The page that tests/browser opens: written where FLEXURA_SAMPLE_REPORT says, if it does.
+// The pages that tests/browser opens: written where the environment says, if it does.
+void write_where_told(const std::string& html, const char* variable) {
+  const char* file = std::getenv(variable);
+  if (file == nullptr) return;
+  std::ofstream stream(file, std::ios::binary);
+  stream << html;
+  stream.close();
+  EXPECT_TRUE(stream.good()) << file;
+}
+
 TEST(Report, ShowsTheSample) {
   const std::string html = make_report(sample::make_sample_result());
   EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
   EXPECT_EQ(html.substr(html.size() - 8), "</html>\n");
   EXPECT_LT(html.size(), 1'500'000U);
-  if (const char* file = std::getenv("FLEXURA_SAMPLE_REPORT")) {
-    std::ofstream stream(file, std::ios::binary);
-    stream << html;
-    stream.close();
-    EXPECT_TRUE(stream.good()) << file;
-  }
+  write_where_told(html, "FLEXURA_SAMPLE_REPORT");
+}
+
+TEST(Report, ShowsTheSampleOfMotion) {
+  const std::string html = make_report(sample::make_sample_motion());
+  EXPECT_LT(html.size(), 1'500'000U);
+  write_where_told(html, "FLEXURA_SAMPLE_MOTION");
 }
 
 }  // namespace

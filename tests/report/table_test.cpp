@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flexura/report/wrap.hpp"
+#include "tests/report/sample_motion.hpp"
 #include "tests/report/sample_result.hpp"
 
 namespace flexura {
@@ -95,6 +96,69 @@ TEST(ComparisonTable, CopesWithAModelingThatNeverBegan) {
   modeling.label = "scmbm";
   const std::string table = make_comparison_table(result, false);
   EXPECT_NE(table.find("      stopped no reason was given\n"), std::string::npos) << table;
+}
+
+std::vector<std::string> motion_lines(std::size_t study, const char* time_unit = "s") {
+  Result result = sample::make_sample_motion();
+  result.time_unit = time_unit;
+  result.studies = {result.studies[study]};
+  return lines_of(make_comparison_table(result, false));
+}
+
+TEST(ComparisonTable, ShowsFrequenciesInCyclesPerTimeUnit) {
+  const std::vector<std::string> lines = motion_lines(0);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0], "sing  modes");
+  EXPECT_EQ(lines[2],
+            "  exact  converged  frequency unstable 37.17 69.3 Hz  error est. 2.00e-05 %  reference"
+            "  8.30 ms");
+  EXPECT_NE(motion_lines(0, "ms")[2].find(" 69.3 1/ms "), std::string::npos);
+}
+
+TEST(ComparisonTable, ShowsWhatAMotionCostAndHowFarItIsOff) {
+  const std::vector<std::string> lines = motion_lines(1);
+  EXPECT_EQ(lines[0], "turn  transient, compared with exact");
+  EXPECT_NE(lines[1].find("energy error  error est.  difference  safety"), std::string::npos)
+      << lines[1];
+  const std::regex fine(
+      R"(  fine +converged +198 +640 +1.72 s +3.30e-06 % +0.000460 % +[0-9.]+ % +[0-9.]+)");
+  EXPECT_TRUE(std::regex_match(lines[lines.size() - 2], fine)) << lines[lines.size() - 2];
+  EXPECT_EQ(lines.back().find("      strength of leaf reached at 0."), 0U) << lines.back();
+  EXPECT_EQ(lines[6].find("      stopped at 0.62 s: The step shrank"), 0U) << lines[6];
+  for (const std::string& line : lines) EXPECT_LE(display_width(line), 100U) << line;
+}
+
+TEST(ComparisonTable, SaysWhenAMotionReachesAStrength) {
+  Result result = sample::make_sample_motion();
+  result.studies = {result.studies[1]};
+  auto& motion = std::get<MotionResult>(result.studies[0].content);
+  for (MotionState& moment : motion.modelings[3].states)
+    moment.state.peak_stresses = {0.0, 100.0 * moment.time};
+  const auto lines = lines_of(make_comparison_table(result, false));
+  EXPECT_EQ(lines.back(), "      strength of leaf reached at 0.5 s");
+}
+
+TEST(ComparisonTable, ShowsTheHighestPeakOfAResponse) {
+  const std::vector<std::string> lines = motion_lines(2);
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[0], "shake  response, compared with exact");
+  EXPECT_TRUE(lines[1].ends_with("  highest peak")) << lines[1];
+  const std::regex exact(
+      "  exact +converged +9 +16.6 ms +0.000150 % +reference +piston.x [0-9.]+ mm at 1[0-9.]+ Hz");
+  EXPECT_TRUE(std::regex_match(lines[3], exact)) << lines[3];
+}
+
+TEST(ComparisonTable, CopesWithMotionsThatNeverBegan) {
+  Result result = sample::make_sample_motion();
+  auto& motion = std::get<MotionResult>(result.studies[1].content).modelings[0];
+  motion = {};
+  motion.label = "prbm";
+  auto& response = std::get<ResponseResult>(result.studies[2].content).modelings[0];
+  response = {};
+  response.label = "prbm";
+  const std::string table = make_comparison_table(result, false);
+  EXPECT_NE(table.find("      stopped no reason was given\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("  none\n"), std::string::npos) << table;
 }
 
 TEST(WrapText, BreaksBetweenWords) {

@@ -1,13 +1,16 @@
 'use strict';
 // A small line chart with a readout under the pointer and a marker that follows the slider.
 class Chart {
-  // options: title, xTitle, log (values are then percent), onSeek(x), empty (what to say where
+  // options: title, xTitle, log, xLog (logarithmic scales), onSeek(x), empty (what to say where
   // there is nothing to draw), noise (a number or a function: a chart whose values are all smaller
-  // is drawn as zero), free (a curve that may turn back: no readout under the pointer).
+  // is drawn as zero), xRange, yRange and yTicks (what the scales cover, and where they are named),
+  // free (a curve that may turn back: no readout under the pointer; `xNoise` is then noise in x),
+  // smooth (a curve through the points instead of straight lines).
   constructor(host, options) {
     this.options = options;
     this.lines = [];
     this.marker = null;
+    this.places = [];
     const figure = d3.select(host).append('figure').attr('class', 'chart');
     this.caption = figure.append('figcaption').text(options.title);
     this.frame = figure.append('div').attr('class', 'chart-frame');
@@ -18,8 +21,8 @@ class Chart {
     new ResizeObserver(() => this.draw()).observe(this.frame.node());
   }
 
-  // lines: [{label, colour, points: [{x, y, unstable}], marks: [{x, y, title}],
-  // isReference}]
+  // lines: [{label, colour, points: [{x, y, unstable, apart}], marks: [{x, y, title}],
+  // isReference}]; a point that is `apart` is not joined to the one before.
   show(lines, title) {
     const usable = (p) => Numbers.isNumber(p.y) && (!this.options.log || p.y > 0);
     this.lines = lines.map((line) => ({ ...line, points: line.points.filter(usable) }))
@@ -36,10 +39,18 @@ class Chart {
     this.drawMarker();
   }
 
+  xScale(points) {
+    const { xLog, xRange, free, xNoise } = this.options;
+    let [low, high] = xRange || d3.extent(points, (p) => p.x);
+    if (free && high - low <= (xNoise || 0)) [low, high] = [-1, 1];
+    const room = free ? 0.05 * (high - low) : 0; // for the places that are marked
+    return (xLog ? d3.scaleLog() : d3.scaleLinear()).domain([low - room, high + room])
+      .range([this.margin.left, this.width - this.margin.right]);
+  }
+
   scales() {
     const points = this.lines.flatMap((line) => [...line.points, ...(line.marks || [])]);
-    const xs = this.options.xRange || d3.extent(points, (p) => p.x);
-    this.x = d3.scaleLinear().domain(xs).range([this.margin.left, this.width - this.margin.right]);
+    this.x = this.xScale(points);
     const range = [this.height - this.margin.bottom, this.margin.top];
     let [low, high] = d3.extent(points, (p) => p.y);
     if (this.options.log) {
@@ -47,6 +58,10 @@ class Chart {
       low = Math.max(low, high * 1e-9);
       if (high / low < 10) [low, high] = [low / 3, high * 3];
       this.y = d3.scaleLog().domain([low / 1.4, high * 1.4]).range(range).clamp(true);
+      return;
+    }
+    if (this.options.yRange) {
+      this.y = d3.scaleLinear().domain(this.options.yRange).range(range);
       return;
     }
     low = Math.min(low, 0);
@@ -95,7 +110,24 @@ class Chart {
     this.svg.selectAll('*').remove();
   }
 
+  // Of a logarithmic scale decades or, where there is room, 1, 2 and 5 of each.
+  xTicks() {
+    if (!this.options.xLog) {
+      // One in the very corner would lie on that of the other axis.
+      const inCorner = (t) => this.options.free && this.x(t) < this.margin.left + 16;
+      return this.x.ticks(5).filter((t) => !inCorner(t));
+    }
+    const [low, high] = this.x.domain();
+    const [from, to] = [low, high].map(Math.log10);
+    const room = (this.width - this.margin.left) / (to - from); // of a decade
+    const decades = d3.range(Math.floor(from), Math.ceil(to) + 1, Math.max(1, Math.ceil(36 / room)));
+    const ticks = decades.flatMap((e) => (room > 110 ? [1, 2, 5] : [1]).map((k) => k * 10 ** e))
+      .filter((t) => t >= low * (1 - 1e-6) && t <= high * (1 + 1e-6));
+    return ticks.length > 1 ? ticks : this.x.ticks(3);
+  }
+
   yTicks() {
+    if (this.options.yTicks) return this.options.yTicks;
     if (!this.options.log) return this.y.ticks(4);
     const [low, high] = this.y.domain().map(Math.log10);
     const step = Math.max(1, Math.ceil((high - low) / 4));
@@ -112,32 +144,47 @@ class Chart {
       .attr('x1', left).attr('x2', right).attr('y1', this.y).attr('y2', this.y)
       .classed('is-zero', (t) => t === 0);
     this.svg.append('g').attr('class', 'chart-axis').attr('transform', `translate(${left},0)`)
-      .call(d3.axisLeft(this.y).tickValues(ticks).tickFormat((v) => this.yLabel(v)).tickSize(0).tickPadding(7));
+      .call(d3.axisLeft(this.y).tickValues(ticks).tickFormat((v) => this.yLabel(v)).tickSize(0)
+        .tickPadding(7));
     this.svg.append('g').attr('class', 'chart-axis').attr('transform', `translate(0,${floor})`)
-      .call(d3.axisBottom(this.x).ticks(5).tickFormat((v) => Numbers.short(v)).tickSize(4));
+      .call(d3.axisBottom(this.x).tickValues(this.xTicks()).tickFormat((v) => Numbers.short(v))
+        .tickSize(4));
     this.svg.append('text').attr('class', 'chart-x-title').attr('text-anchor', 'end')
       .attr('x', right).attr('y', this.height - 3).text(this.options.xTitle);
   }
 
-  // Runs of stable and unstable states, each a path of its own; unstable ones are dashed.
   drawLine(area, line) {
-    const path = d3.line().x((p) => this.x(p.x)).y((p) => this.y(p.y));
     const group = area.append('g').style('--colour', line.colour)
       .classed('is-reference', line.isReference === true);
-    let begin = 0;
-    const segment = (i) => line.points[i].unstable || line.points[i + 1].unstable;
-    for (let i = 1; i < line.points.length; ++i) {
-      const last = i === line.points.length - 1;
-      if (!last && segment(i) === segment(i - 1)) continue;
-      group.append('path').attr('d', path(line.points.slice(begin, i + 1)))
-        .attr('class', segment(i - 1) ? 'chart-line is-unstable' : 'chart-line');
-      begin = i;
+    let piece = [];
+    for (const point of line.points) {
+      if (point.apart) {
+        this.drawPiece(group, piece);
+        piece = [];
+      }
+      piece.push(point);
     }
+    this.drawPiece(group, piece);
     const diamond = d3.symbol().type(d3.symbolDiamond).size(48);
     for (const mark of line.marks || []) {
       group.append('path').attr('class', 'chart-event').attr('d', diamond())
         .attr('transform', `translate(${this.x(mark.x)},${this.y(mark.y)})`)
         .append('title').text(mark.title);
+    }
+  }
+
+  // Runs of stable and unstable states, each a path of its own; unstable ones are dashed.
+  drawPiece(group, points) {
+    const path = d3.line().x((p) => this.x(p.x)).y((p) => this.y(p.y))
+      .curve(this.options.smooth ? d3.curveCatmullRom : d3.curveLinear);
+    let begin = 0;
+    const segment = (i) => points[i].unstable || points[i + 1].unstable;
+    for (let i = 1; i < points.length; ++i) {
+      const last = i === points.length - 1;
+      if (!last && segment(i) === segment(i - 1)) continue;
+      group.append('path').attr('d', path(points.slice(begin, i + 1)))
+        .attr('class', segment(i - 1) ? 'chart-line is-unstable' : 'chart-line');
+      begin = i;
     }
   }
 
@@ -148,21 +195,30 @@ class Chart {
     const b = line.points[i];
     if (i === 0) return Math.abs(b.x - x) < 1e-9 ? b.y : null;
     const a = line.points[i - 1];
+    if (b.apart) return x - a.x < b.x - x ? a.y : b.y;
     return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
   }
 
   // Marks places of a free curve.
   markAt(places) {
+    this.places = places;
+    this.drawMarker();
+  }
+
+  drawPlaces() {
     if (!this.markerGroup) return;
     this.markerGroup.selectAll('*').remove();
-    for (const { x, y, colour } of places) {
+    for (const { x, y, colour } of this.places) {
       this.markerGroup.append('circle').attr('cx', this.x(x)).attr('cy', this.y(y)).attr('r', 4)
         .style('--colour', colour);
     }
   }
 
   drawMarker() {
-    if (this.options.free) return;
+    if (this.options.free) {
+      this.drawPlaces();
+      return;
+    }
     if (!this.markerGroup || this.marker === null || this.lines.length === 0) return;
     const at = this.x(this.marker);
     this.markerGroup.selectAll('*').remove();
@@ -187,7 +243,7 @@ class Chart {
     node.addEventListener('pointermove', (event) => {
       if (this.lines.length === 0 || this.options.free) return;
       if (event.buttons & 1) seek(event);
-      this.showTip(xOf(event));
+      this.showTip(xOf(event), event.clientY - node.getBoundingClientRect().top);
     });
     node.addEventListener('pointerdown', (event) => this.lines.length && seek(event));
     node.addEventListener('pointerleave', () => {
@@ -197,16 +253,25 @@ class Chart {
     if (this.options.onSeek) this.frame.classed('can-seek', true);
   }
 
-  showTip(x) {
+  // What the lines read at x; of many lines only those closest to y on the screen.
+  readings(x, y) {
+    const most = 10;
+    const all = this.lines.map((line) => ({ line, value: this.valueAt(line, x) }))
+      .filter(({ value }) => value !== null);
+    if (all.length <= most) return all;
+    const far = ({ value }) => Math.abs(this.y(value) - y);
+    const nearest = new Set([...all].sort((a, b) => far(a) - far(b)).slice(0, most));
+    return all.filter((reading) => nearest.has(reading));
+  }
+
+  showTip(x, y) {
     const at = this.x(x);
     this.hover.classed('is-on', true).attr('x1', at).attr('x2', at)
       .attr('y1', this.margin.top).attr('y2', this.height - this.margin.bottom);
     this.tip.attr('hidden', null).html('');
     this.tip.append('div').attr('class', 'chart-tip-x')
       .text(`${this.options.xTitle.split(',')[0]} ${Numbers.short(x, 3)}`);
-    for (const line of this.lines) {
-      const value = this.valueAt(line, x);
-      if (value === null) continue;
+    for (const { line, value } of this.readings(x, y)) {
       const row = this.tip.append('div').style('--colour', line.colour);
       row.append('span').attr('class', 'swatch');
       row.append('span').attr('class', 'chart-tip-label').text(line.label);

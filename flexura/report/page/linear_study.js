@@ -36,12 +36,7 @@ const LinearStudy = (() => {
   function drawFigure(view, study) {
     const { records, poles } = study.linear;
     const chosen = records[State.chosen.record];
-    Mechanism.drawGround(view);
-    const look = { key: 'still' };
-    view.paths('still-bodies', [...Motion.bodies.values()].filter((body) => !body.fixed)
-      .map((body) => Mechanism.bodyItem(view, body, Mechanism.still, look)));
-    view.paths('still-flexures',
-      Mechanism.flexureItems(view, Motion.flexures.map((f) => f.axis), look));
+    Mechanism.drawStill(view);
     const shown = records.filter((r) => r === chosen || State.chosen.groups.has(r.of));
     Ellipses.drawAll(view, shown, chosen);
     if (chosen) Ellipses.drawChosen(view, chosen);

@@ -17,13 +17,24 @@
 
   const vector = (v) => `(${v.map((x) => Numbers.short(x)).join(', ')})`;
 
-  function loadText({ on, force, moment, follower, constant }) {
+  function loadText({
+    on, force, moment, follower, constant, history,
+  }) {
     const { units } = State;
     const parts = [];
     if (force[0] !== 0 || force[1] !== 0) parts.push(`force ${vector(force)} ${units.force}`);
     if (moment !== 0) parts.push(`moment ${Numbers.short(moment)} ${units.force}·${units.length}`);
     return `${parts.join(' and ') || 'no load'} on ${on}${follower ? ', turning with it' : ''}`
-      + `${constant ? ', there from the start' : ''}`;
+      + `${constant ? ', there from the start' : ''}${history ? `, ${history}` : ''}`;
+  }
+
+  // How a study of motion was made.
+  function motionTexts({ motion, response }) {
+    const { method, damping } = motion || response || {};
+    return [
+      ...(method ? [`Integrated by ${method.replace(/_/g, ' ')}`] : []),
+      ...(damping ? [`Damping: ${damping}`] : []),
+    ];
   }
 
   function fieldTexts({ spread, gravity, temperature, constant }) {
@@ -44,12 +55,15 @@
       buckling: 'Load factors at which the mechanism gives way',
       inverse: 'Loads that hold prescribed displacements',
       linear: 'Compliance about the drawn state',
+      modes: 'Natural frequencies and the shapes of their modes',
+      transient: 'Motion in time',
+      response: 'Steady motion under loads that go as a cosine',
     };
     header.append('p').attr('class', 'study-kind').text(kinds[study.kind] || study.kind);
     for (const load of study.loads) {
       header.append('p').attr('class', 'faint').text(loadText(load));
     }
-    for (const text of fieldTexts(study.fields)) {
+    for (const text of [...fieldTexts(study.fields), ...motionTexts(study)]) {
       header.append('p').attr('class', 'faint').text(text);
     }
     if (!study.converged && study.reason) {
@@ -66,7 +80,9 @@
       .attr('tabindex', (s) => (s === study ? 0 : -1));
     main.setAttribute('aria-label', `Study ${study.name}`);
     headline(study);
-    const page = [[study.path, PathStudy], [study.modes, ModeStudy], [study.linear, LinearStudy]];
+    const page = [[study.path, PathStudy], [study.modes, ModeStudy],
+      [study.motion, TransientStudy], [study.response, ResponseStudy],
+      [study.linear, LinearStudy]];
     page.find(([content]) => content)[1].make(main, study);
   }
 
@@ -88,7 +104,8 @@
     const visit = (study) => { window.location.hash = address(study); };
     const buttons = d3.select('#tabs').selectAll('button').data(data.studies).enter()
       .append('button').attr('type', 'button').attr('role', 'tab').attr('aria-controls', 'study')
-      .attr('data-study', (study) => study.name).on('click', visit);
+      .attr('data-study', (study) => study.name).attr('data-kind', (study) => study.kind)
+      .on('click', visit);
     buttons.append('span').text((study) => study.name);
     buttons.append('span').attr('class', 'faint').text((study) => study.kind);
     buttons.filter((study) => !study.converged).append('span').attr('class', 'tab-stopped')

@@ -3,6 +3,7 @@
 // points and loads.
 const Mechanism = (() => {
   const { bodies, flexures } = Motion;
+  const { joints } = State.data.drawing;
   const drawingBodies = State.data.drawing.bodies;
   const all = [...bodies.values()];
   const places = [
@@ -21,13 +22,15 @@ const Mechanism = (() => {
   const smooth = d3.line().curve(d3.curveCatmullRom);
   const straight = d3.line();
 
-  // A section that varies: a strip of pieces, each as wide as the section is there.
+  // A section that varies: a strip of pieces, each as wide as the section is there. An axis may be
+  // drawn through fewer points than depths are known at.
   function variedItems(view, axis, flexure, look) {
+    const every = (flexure.depths.length - 1) / (axis.length - 1);
+    const depth = (k) => flexure.depths[Math.round(k * every)];
     return axis.slice(1).map((p, k) => ({
       ...look,
       d: straight([view.project(axis[k]), view.project(p)]),
-      width: Math.max(
-        thinnestFlexure, 0.5 * (flexure.depths[k] + flexure.depths[k + 1]) * view.scale),
+      width: Math.max(thinnestFlexure, 0.5 * (depth(k) + depth(k + 1)) * view.scale),
       key: `${look.key} ${flexure.name} ${k}`,
     }));
   }
@@ -43,7 +46,7 @@ const Mechanism = (() => {
   }
 
   // The joints of a chain of rigid segments.
-  function jointItems(view, axes, look) {
+  function chainItems(view, axes, look) {
     return axes.flatMap((axis, i) => axis.slice(1, -1).map((p, j) => ({
       ...look, d: Shapes.circle(view.project(p), 3), key: `${look.key} ${i} ${j}`,
     })));
@@ -74,6 +77,20 @@ const Mechanism = (() => {
     });
   }
 
+  // Joints between bodies: a pin moves with its bodies, a slider with the one that slides, along
+  // the direction that turns with the other.
+  function connectionItems(view, carried, look) {
+    return joints.map((joint) => {
+      const place = view.project(carried(joint.action).move(joint.at));
+      const item = { ...look, key: `${look.key} ${joint.name}` };
+      if (!joint.direction) return { ...item, d: Shapes.circle(place, 4) };
+      const [x, y] = joint.direction;
+      const angle = Math.atan2(-y, x) - carried(joint.base).rotation;
+      const { rails, hatch } = Shapes.slider(place, angle);
+      return { ...item, d: bodies.get(joint.base).fixed ? rails + hatch : rails };
+    });
+  }
+
   const still = (p) => p;
 
   function drawGhost(view) {
@@ -83,7 +100,26 @@ const Mechanism = (() => {
     view.paths('ghost-flexures', flexureItems(view, flexures.map((f) => f.axis), look));
   }
 
-  // Ground under every flexure or spring end that a fixed body holds; a pin where it may turn there.
+  // The mechanism as drawn, where it is all there is to see.
+  function drawStill(view) {
+    drawGround(view);
+    const look = { key: 'still' };
+    view.paths('still-bodies', all.filter((body) => !body.fixed)
+      .map((body) => bodyItem(view, body, still, look)));
+    view.paths('still-flexures', flexureItems(view, flexures.map((f) => f.axis), look));
+    view.paths('connections', connectionItems(view, () => ({ move: still, rotation: 0 }), look));
+  }
+
+  // Where the rest of a body is, seen from a joint on it; up, if there is no rest.
+  function away({ at }, body) {
+    const rest = [...body.ends, ...body.points].filter(
+      (p) => Math.hypot(p[0] - at[0], p[1] - at[1]) > 1e-6 * extent);
+    return rest.length > 0 ? [d3.mean(rest, (p) => p[0]), d3.mean(rest, (p) => p[1])]
+      : [at[0], at[1] + extent];
+  }
+
+  // Ground under every flexure, spring end or pin that a fixed body holds; a circle where a flexure
+  // may turn there.
   function drawGround(view) {
     const held = flexures.flatMap((flexure) => {
       const axis = flexure.axis;
@@ -99,6 +135,11 @@ const Mechanism = (() => {
       const [a, b] = [spring.base_place, spring.action_place];
       if (bodies.get(spring.base).fixed) held.push([a, b, false]);
       if (bodies.get(spring.action).fixed) held.push([b, a, false]);
+    }
+    for (const joint of joints.filter((j) => !j.direction)) {
+      const [base, action] = [bodies.get(joint.base), bodies.get(joint.action)];
+      const moving = base.fixed ? action : base;
+      if (base.fixed || action.fixed) held.push([joint.at, away(joint, moving), false]);
     }
     const symbols = held.map(([end, next, pinned]) => {
       const p = view.project(end);
@@ -121,6 +162,7 @@ const Mechanism = (() => {
     }
     return null;
   }
+
   // Arrows for a force and an arc for a moment at `place`; `share` (0 to 1) scales the length. A text
   // as `label` stands at the tip in place of the size; false leaves both out.
   function loadItems(view, place, force, moment, share, label) {
@@ -163,7 +205,7 @@ const Mechanism = (() => {
   }
 
   return {
-    extent, undeformedBox, flexureItems, jointItems, bodyItem, springItems, drawGhost, drawGround, find,
-    loadItems, still,
+    extent, undeformedBox, flexureItems, chainItems, bodyItem, springItems, connectionItems,
+    drawGhost, drawGround, drawStill, find, loadItems, still,
   };
 })();

@@ -8,7 +8,8 @@ const MemberPlots = (() => {
     const { path } = study;
     const { unit } = SectionForces.named('stress');
     const chart = new Chart(host, {
-      ...PathPlots.optionsFor(timeline), title: `Largest stress along the path, ${unit}`,
+      ...PathPlots.optionsFor(timeline),
+      title: `Largest stress ${timeline.unit ? 'over time' : 'along the path'}, ${unit}`,
     });
     State.follow(['flexure', 'hidden'], () => {
       const k = State.chosen.flexure;
@@ -60,7 +61,7 @@ const MemberPlots = (() => {
     makePeaks(grid, study, timeline);
     section.append('h3').attr('class', 'extremes-title')
       .text('Largest in absolute value, and where');
-    Tables.extremes(section.append('div').attr('id', 'extremes').node(), path);
+    Tables.extremes(section.append('div').attr('id', 'extremes').node(), path, timeline);
   }
 
   return { make };

@@ -11,6 +11,11 @@ const Motion = (() => {
     ends: pairs(body.ends),
     points: pairs(body.points),
   }]));
+  // Pins are a part of both bodies that they join, sliders of the one that slides.
+  for (const { base, action, at, direction } of drawing.joints) {
+    bodies.get(action).ends.push(at);
+    if (!direction) bodies.get(base).ends.push(at);
+  }
   const flexures = drawing.flexures.map((flexure) => ({ ...flexure, axis: pairs(flexure.axis) }));
 
   // The slider runs over the load factor where that grows along every path, and over the steps
@@ -129,12 +134,14 @@ const Motion = (() => {
       owner: i,
       place: (state) => state.bodies[i],
     }));
+    const absent = [NaN, NaN, NaN]; // where long motions are thinned
+    const mid = (state, i) => (state.mids ? state.mids[i] : absent);
     const mids = path.flexures.map((name, i) => ({
       name,
       kind: 'flexure',
       owner: null,
-      place: (state) => state.mids[i],
-      rotation: (state) => state.mids[i][2],
+      place: (state) => mid(state, i),
+      rotation: (state) => mid(state, i)[2],
     }));
     const turned = [...points, ...centres].map((subject) => ({
       ...subject,

@@ -54,5 +54,10 @@ const Numbers = (() => {
 
   const degrees = (radians) => `${format(radians * 180 / Math.PI, 4)}°`;
 
-  return { format, short, percent, duration, degrees, powerOfTen, isNumber };
+  // What cycles per time unit are called.
+  const cycles = (timeUnit) => (timeUnit === 's' ? 'Hz' : `1/${timeUnit}`);
+
+  return {
+    format, short, percent, duration, degrees, cycles, powerOfTen, isNumber,
+  };
 })();

@@ -84,8 +84,9 @@ const PathPlots = (() => {
   }
 
   function optionsFor(timeline) {
+    const { name, unit } = timeline;
     return {
-      xTitle: timeline.name,
+      xTitle: unit ? `${name}, ${unit}` : name,
       xRange: [0, timeline.end],
       onSeek: (x) => State.set({ position: x }),
     };
@@ -118,10 +119,11 @@ const PathPlots = (() => {
       const series = modeling.differences[index];
       return i === null || !series || series[i] === null ? null : 100 * series[i];
     };
+    const moved = { ...common, noise: 1e-9 * Mechanism.extent }; // less is rounding
     const charts = [
-      [new Chart(grid, { ...common, title: `Displacement in x, ${length}` }), offset(0)],
-      [new Chart(grid, { ...common, title: `Displacement in y, ${length}` }), offset(1)],
-      [new Chart(grid, { ...common, title: 'Rotation, rad' }), rotation],
+      [new Chart(grid, { ...moved, title: `Displacement in x, ${length}` }), offset(0)],
+      [new Chart(grid, { ...moved, title: `Displacement in y, ${length}` }), offset(1)],
+      [new Chart(grid, { ...common, noise: 1e-9, title: 'Rotation, rad' }), rotation],
     ];
     if (path.modelings.length > 1) {
       charts.push([new Chart(grid, {

@@ -92,6 +92,17 @@ const Shapes = (() => {
     return { line, hatch };
   }
 
+  // A slider: two rails along `angle`, and the hatches that hold them to the ground.
+  function slider([x, y], angle, half = 15, gap = 6) {
+    const ex = Math.cos(angle);
+    const ey = Math.sin(angle);
+    const place = (along, across) => at(x + ex * along - ey * across, y + ey * along + ex * across);
+    const rail = (side) => `M${place(-half, side)}L${place(half, side)}`;
+    const hatch = d3.range(-half + 6, half + 1, 6).map(
+      (t) => `M${place(t, gap)}L${place(t - 5, gap + 6)}`).join('');
+    return { rails: rail(gap) + rail(-gap), hatch };
+  }
+
   // An ellipse whose major axis points along `angle` on the screen.
   function ellipse([cx, cy], major, minor, angle) {
     const dx = major * Math.cos(angle);
@@ -128,6 +139,6 @@ const Shapes = (() => {
   }
 
   return {
-    roundedHull, circle, arrow, momentArc, ground, ellipse, coil, spiral,
+    roundedHull, circle, arrow, momentArc, ground, slider, ellipse, coil, spiral,
   };
 })();

@@ -10,8 +10,8 @@ const State = (() => {
   const ownSlots = { continuum: 0, exact: 1, scmbm: 2, prbm: 3, linear: 4, beam: 5 };
   const slotCount = 9;
   const slots = new Map();
-  const modelings = data.studies.flatMap(
-    (study) => (study.path || study.modes || { modelings: [] }).modelings);
+  const modelings = data.studies.flatMap((study) => (
+    study.path || study.modes || study.motion || study.response || { modelings: [] }).modelings);
   for (const { label, modeling } of modelings) {
     if (slots.has(label)) continue;
     const taken = new Set(slots.values());
@@ -25,13 +25,14 @@ const State = (() => {
 
   const chosen = {
     study: null,
-    position: 0, // along the path: see Motion.timeline
+    position: 0, // along the path, or the time: see Motion.timeline and Course.timeline
     hidden: new Set(), // labels
     subject: 0, // index into Motion.subjects of the study
     held: 0, // whose reactions are shown
     flexure: 0, // whose section forces are shown
     diagram: '', // key of the section force drawn on the mechanism: see SectionForces
     record: 0, // of a linear study
+    place: 0, // of a response
     groups: new Set(['flexure', 'point']), // of ellipses drawn
   };
   let listeners = [];

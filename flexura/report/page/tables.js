@@ -115,7 +115,7 @@ const Tables = (() => {
       .text(`${path.flexures[extreme.flexure]}, s = ${Numbers.short(extreme.s, 3)} ${length}`);
   }
 
-  function safetyColumns(path) {
+  function safetyColumns(path, { unit }) {
     if (!path.modelings.some((m) => m.safety)) return [];
     const reached = (m) => (m.safety ? m.safety.reached : null);
     return [
@@ -128,7 +128,7 @@ const Tables = (() => {
       },
       {
         title: 'Strength reached',
-        unit: 'at load factor',
+        unit: unit ? `at time, ${unit}` : 'at load factor',
         class: (m) => (reached(m) ? 'is-stopped' : 'faint'),
         fill: (cell, m) => {
           cell.append('span').text(reached(m) ? Numbers.format(reached(m).load_factor) : 'never');
@@ -140,15 +140,33 @@ const Tables = (() => {
     ];
   }
 
+  // Of a motion: the largest stress at any of its times.
+  function runColumns(path, { unit }) {
+    const stress = SectionForces.named('stress');
+    if (!path.modelings.some((m) => m.largest_stress)) return [];
+    return [{
+      title: 'Largest over the run',
+      unit: stress.unit,
+      fill: (cell, { largest_stress: largest }) => {
+        cell.append('span').text(largest ? Numbers.format(largest.value) : '–');
+        if (!largest) return;
+        cell.append('span').attr('class', 'faint is-place')
+          .text(`${path.flexures[largest.flexure]}, at ${Numbers.short(largest.time)} ${unit}`);
+      },
+    }];
+  }
+
   // Section forces, stress and safety at the last state of every modeling.
-  function extremes(host, path) {
+  function extremes(host, path, timeline) {
     const columns = [modelingColumn, ...SectionForces.quantities.map((quantity) => ({
       title: quantity.name,
       unit: quantity.unit,
       fill: (cell, m) => fillExtreme(cell, path, SectionForces.extreme(m, quantity)),
-    })), ...safetyColumns(path)];
+    })), ...runColumns(path, timeline), ...safetyColumns(path, timeline)];
     make(host, columns, path.modelings).style('--colour', (m) => State.colour(m.label));
   }
 
-  return { make, comparison, extremes };
+  return {
+    make, comparison, extremes, addNotes, modelingColumn,
+  };
 })();
