@@ -44,8 +44,6 @@ MotionEnergies MotionSystem::energies(const Moment& moment) {
     sum.angular_momentum +=
         cross(base_section(k, moment.q).position, momentum) + forces.angular_momentum;
     sum.dead_work += dead_work_on(k, moment.q);
-    sum.damping_power += members_[k].elastic_damping_power(moment.v.data() + internal_[k],
-                                                           layout_.stiffness_damping);
   }
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const auto& rigid = mechanism.bodies[b];
@@ -58,53 +56,79 @@ MotionEnergies MotionSystem::energies(const Moment& moment) {
         rigid.mass * cross(motion.pose.position, motion.velocity) + rigid.inertia * motion.spin;
     sum.dead_work += rigid.mass * dot(layout_.gravity, motion.pose.position - rigid.centre);
   }
-  sum.damping_power += 2.0 * layout_.mass_damping * sum.kinetic;
-  for (const ModalForce& mode : modal_damping_) {
-    const double rate = mode.momentum.dot(moment.v);
-    sum.damping_power += mode.damping * rate * rate;
-  }
-  add_spring_energies(moment, sum);
-  add_load_work(moment, sum);
+  for (const auto& spring : mechanism.springs)
+    sum.strain += spring_potential(mechanism, spring, pose(spring.base, moment.q),
+                                   pose(spring.action, moment.q), 1.0)
+                      .value;
+  add_dead_loads(moment, sum);
   return sum;
 }
 
-void MotionSystem::add_spring_energies(const Moment& moment, MotionEnergies& sum) const {
+void MotionSystem::add_dead_loads(const Moment& moment, MotionEnergies& sum) const {
   const SystemLayout& mechanism = layout_.mechanism;
+  for (std::size_t i = 0; i < mechanism.loads.size(); ++i) {
+    const auto& load = mechanism.loads[i];
+    if (!is_dead(load, layout_.loads[i])) continue;
+    const Vec2 drawn = mechanism.bodies[load.body].centre + load.arm;
+    sum.dead_work += dot(load.force, moved_point(load.body, drawn, moment.q) - drawn) +
+                     load.moment * pose(load.body, moment.q).rotation;
+  }
+}
+
+bool MotionSystem::has_power() const {
+  const SystemLayout& mechanism = layout_.mechanism;
+  bool any =
+      layout_.mass_damping != 0.0 || layout_.stiffness_damping != 0.0 || !modal_damping_.empty();
+  for (const auto& spring : mechanism.springs) any = any || spring.damping > 0.0;
+  for (const auto& prescribed : mechanism.prescribed) any = any || prescribed.value != 0.0;
+  for (std::size_t i = 0; i < mechanism.loads.size(); ++i)
+    any = any || !is_dead(mechanism.loads[i], layout_.loads[i]);
+  return any;
+}
+
+MotionPower MotionSystem::power(const Moment& moment) {
+  MotionPower power;
+  const SystemLayout& mechanism = layout_.mechanism;
+  if (layout_.mass_damping != 0.0 || layout_.stiffness_damping != 0.0) {
+    power.damping = 2.0 * layout_.mass_damping * energies(moment).kinetic;
+    for (std::size_t k = 0; k < members_.size(); ++k)
+      power.damping += members_[k].elastic_damping_power(moment.v.data() + internal_[k],
+                                                         layout_.stiffness_damping);
+  }
+  for (const ModalForce& mode : modal_damping_) {
+    const double rate = mode.momentum.dot(moment.v);
+    power.damping += mode.damping * rate * rate;
+  }
   for (const auto& spring : mechanism.springs) {
-    const Pose a = pose(spring.base, moment.q);
-    const Pose b = pose(spring.action, moment.q);
-    sum.strain += spring_potential(mechanism, spring, a, b, 1.0).value;
     if (spring.damping == 0.0) continue;
-    const Jet2<6> length = spring_length(mechanism, spring, a, b);
+    const Jet2<6> length = spring_length(mechanism, spring, pose(spring.base, moment.q),
+                                         pose(spring.action, moment.q));
     const auto unknowns = pair_unknowns(spring.base, spring.action);
     double rate = 0.0;
     for (std::size_t i = 0; i < 6; ++i)
       if (unknowns[i] >= 0) rate += length.gradient[i] * moment.v[unknowns[i]];
-    sum.damping_power += spring.damping * rate * rate;
+    power.damping += spring.damping * rate * rate;
   }
+  add_load_power(moment, power);
+  return power;
 }
 
-void MotionSystem::add_load_work(const Moment& moment, MotionEnergies& sum) const {
+void MotionSystem::add_load_power(const Moment& moment, MotionPower& power) const {
   const SystemLayout& mechanism = layout_.mechanism;
   for (std::size_t i = 0; i < mechanism.loads.size(); ++i) {
     const auto& load = mechanism.loads[i];
+    if (is_dead(load, layout_.loads[i])) continue;
     const BodyMotion motion = body_motion(load.body, moment);
-    if (is_dead(load, layout_.loads[i])) {
-      const Vec2 drawn = mechanism.bodies[load.body].centre + load.arm;
-      sum.dead_work += dot(load.force, moved_point(load.body, drawn, moment.q) - drawn) +
-                       load.moment * motion.pose.rotation;
-      continue;
-    }
     const double turn = linearised() ? 0.0 : motion.pose.rotation;
     const Vec2 arm = rotate(turn, load.arm);
     const Vec2 force = load.follower ? rotate(turn, load.force) : load.force;
-    sum.power +=
+    power.loads +=
         evaluate_history(layout_.loads[i], moment.time).value *
         (dot(force, motion.velocity + motion.spin * perp(arm)) + load.moment * motion.spin);
   }
   for (std::size_t i = 0; i < prescribed_count(); ++i)
-    sum.power += prescribed_reaction(i, moment.multipliers) * mechanism.prescribed[i].value *
-                 evaluate_history(layout_.prescribed[i], moment.time).rate;
+    power.loads += prescribed_reaction(i, moment.multipliers) * mechanism.prescribed[i].value *
+                   evaluate_history(layout_.prescribed[i], moment.time).rate;
 }
 
 }  // namespace flexura

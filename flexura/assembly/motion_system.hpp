@@ -38,14 +38,11 @@ struct Moment {
 };
 
 /// Energies and momenta at a moment. `dead_work`: what gravity and the loads without history have
-/// done since the drawn state. `power`: of all other loads and of what is prescribed;
-/// `damping_power`: what dampers and damping take.
+/// done since the drawn state.
 struct MotionEnergies {
   double kinetic = 0.0;
   double strain = 0.0;
   double dead_work = 0.0;
-  double power = 0.0;
-  double damping_power = 0.0;
   Vec2 momentum;
   double angular_momentum = 0.0;  ///< about the origin
 };
@@ -53,6 +50,12 @@ struct MotionEnergies {
 /// Damping of one mode: a force damping (momentum . v) against `momentum` = M shape.
 struct ModalForce {
   Eigen::VectorXd momentum;
+  double damping = 0.0;
+};
+
+/// Power of all loads that are not dead and of what is prescribed, and what damping takes.
+struct MotionPower {
+  double loads = 0.0;
   double damping = 0.0;
 };
 
@@ -99,6 +102,9 @@ class MotionSystem {
   const Eigen::VectorXd& weights() const { return weights_; }
 
   MotionEnergies energies(const Moment& moment);
+  MotionPower power(const Moment& moment);
+  /// Whether that is ever more than zero.
+  bool has_power() const;
   /// The largest gap of a joint, a flexure's end or what is prescribed, at the last residual.
   double largest_gap(const Eigen::VectorXd& r) const;
 
@@ -124,6 +130,8 @@ class MotionSystem {
   Eigen::Index load_row(std::size_t member) const {
     return joint_row(layout_.mechanism.joints.size()) + static_cast<Eigen::Index>(3 * member);
   }
+  /// Place in q of a member's first internal unknown.
+  Eigen::Index first_internal(std::size_t member) const { return internal_[member]; }
   /// Where the member's action body asks its tip to be.
   RelativePose relative_pose_at(std::size_t member, const Eigen::VectorXd& q) const {
     return relative_pose_of(member, q, Eigen::Vector3d::Zero());
@@ -189,8 +197,8 @@ class MotionSystem {
   PrescribedPlace prescribed_place(std::size_t i, const Eigen::VectorXd& q) const;
 
   double dead_work_on(std::size_t member, const Eigen::VectorXd& q) const;
-  void add_spring_energies(const Moment& moment, MotionEnergies& sum) const;
-  void add_load_work(const Moment& moment, MotionEnergies& sum) const;
+  void add_dead_loads(const Moment& moment, MotionEnergies& sum) const;
+  void add_load_power(const Moment& moment, MotionPower& power) const;
   void linearize_pairs(const Moment& moment);
   void linearize_rest(const Moment& moment);
   template <class T>

@@ -1,5 +1,7 @@
 #include "flexura/core/time_history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,6 +87,28 @@ struct Evaluate {
   }
 };
 
+struct Describe {
+  std::string operator()(const StepHistory& step) const {
+    return step.at <= 0.0 ? std::string() : fmt::format("from time {:.6g} on", step.at);
+  }
+  std::string operator()(const RampHistory& ramp) const {
+    return fmt::format("rising{} from time {:.6g} to {:.6g}", ramp.smooth ? " smoothly" : "",
+                       ramp.start, ramp.end);
+  }
+  std::string operator()(const HalfSineHistory& pulse) const {
+    return fmt::format("half a sine of duration {:.6g} from time {:.6g} on", pulse.duration,
+                       pulse.start);
+  }
+  std::string operator()(const HarmonicHistory& harmonic) const {
+    return fmt::format("as a sine of frequency {:.6g}", harmonic.angular_frequency / (2.0 * M_PI));
+  }
+  std::string operator()(const LinearHistory&) const { return "growing with time"; }
+  std::string operator()(const TableHistory& table) const {
+    return fmt::format("by a table of {} times", table.times.size());
+  }
+  std::string operator()(const FunctionHistory&) const { return "as a function of time"; }
+};
+
 struct Breaks {
   std::vector<double> operator()(const StepHistory& step) const { return {step.at}; }
   std::vector<double> operator()(const RampHistory& ramp) const { return {ramp.start, ramp.end}; }
@@ -100,6 +124,8 @@ struct Breaks {
 };
 
 }  // namespace
+
+std::string describe_history(const TimeHistory& history) { return std::visit(Describe{}, history); }
 
 HistoryValue evaluate_history(const TimeHistory& history, double time) {
   return std::visit(Evaluate{time}, history);

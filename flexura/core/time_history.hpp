@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -63,6 +64,9 @@ HistoryValue evaluate_history(const TimeHistory& history, double time);
 /// Times within (from, to) at which the history or its first derivative jumps, ascending: time
 /// steps should end there.
 std::vector<double> history_breaks(const TimeHistory& history, double from, double to);
+
+/// In words, for readers: "from time 0.5 on". Nothing of what is there from the start.
+std::string describe_history(const TimeHistory& history);
 
 /// Up to which time the history is known; infinite but for tables.
 double history_end(const TimeHistory& history);

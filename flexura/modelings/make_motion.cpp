@@ -38,20 +38,6 @@ struct MotionPortMaker {
   }
 };
 
-/// A driven body is held at its centre and turned, or moved along a direction and not turned.
-void add_driver(const Driver& driver, MotionLayout& layout) {
-  using Component = SystemLayout::Prescribed::Component;
-  const Vec2 along = driver.direction.value_or(Vec2{});
-  const double length = driver.direction ? norm(along) : 1.0;
-  const double values[3] = {driver.amount * along.x / length, driver.amount * along.y / length,
-                            driver.direction ? 0.0 : driver.amount};
-  const Component components[3] = {Component::x, Component::y, Component::rotation};
-  for (std::size_t c = 0; c < 3; ++c) {
-    layout.mechanism.prescribed.push_back({driver.body, {}, components[c], values[c]});
-    layout.prescribed.push_back(driver.history);
-  }
-}
-
 }  // namespace
 
 MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
@@ -70,7 +56,6 @@ MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
         std::visit(MotionPortMaker{properties, own, settings.tolerance}, settings.kind));
   }
   for (const Load& load : acting.loads) layout.loads.push_back(load.history);
-  for (const Driver& driver : model.drivers) add_driver(driver, layout);
   layout.gravity = acting.fields.gravity;
   layout.mass_damping = acting.damping.mass;
   layout.stiffness_damping = acting.damping.stiffness;

@@ -5,7 +5,7 @@
 
 namespace flexura {
 
-/// What acts on a mechanism in motion, besides its drivers.
+/// What acts on a mechanism in motion, besides what is prescribed.
 struct MotionLoads {
   std::vector<Load> loads;
   FieldLoads fields;
@@ -13,7 +13,7 @@ struct MotionLoads {
 };
 
 /// A modeling applied to a model that moves in time. Bodies keep their indices, flexures become
-/// members in the same order. Drivers are prescribed displacements and rotations, the first ones.
+/// members in the same order. Driven bodies move: their drivers' motion is still to be prescribed.
 MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
                                 const ModelingSettings& settings, const InertiaSettings& inertia);
 

@@ -48,7 +48,7 @@ class TimeMarch {
 
  private:
   template <class State>
-  bool take(State& state, double h, const std::function<bool(double)>& after);
+  StepReport take(State& state, double h, const std::function<bool(double)>& after);
   template <class State>
   bool advance_equally(State& state, double until, const std::function<bool(double)>& after);
 
@@ -61,15 +61,19 @@ class TimeMarch {
 
 template <class Integrator>
 template <class State>
-bool TimeMarch<Integrator>::take(State& state, double h, const std::function<bool(double)>& after) {
+StepReport TimeMarch<Integrator>::take(State& state, double h,
+                                       const std::function<bool(double)>& after) {
   const StepReport report = integrator_.step(state, h);
   counts_.iterations += report.iterations;
-  if (report.outcome != StepOutcome::accepted) return false;
+  if (report.outcome != StepOutcome::accepted) {
+    ++counts_.rejected;
+    return report;
+  }
   ++counts_.steps;
   counts_.smallest_step = std::min(counts_.smallest_step, h);
   counts_.largest_step = std::max(counts_.largest_step, h);
   stopped_ = after && !after(h);
-  return true;
+  return report;
 }
 
 /// Where Newton's method fails in a step, the step is taken in two, and so on.
@@ -77,22 +81,20 @@ template <class Integrator>
 template <class State>
 bool TimeMarch<Integrator>::advance_equally(State& state, double until,
                                             const std::function<bool(double)>& after) {
-  const double span = until - state.time;
-  const auto count = static_cast<long>(std::max(1.0, std::ceil(span / options_.step - 1e-6)));
   const double start = state.time;
-  for (long k = 1; k <= count; ++k) {
-    const double goal = k == count ? until : start + span * static_cast<double>(k) / count;
+  const double span = until - start;
+  const double count = std::max(1.0, std::ceil(span / options_.step - 1e-6));
+  for (double k = 1.0; k <= count; k += 1.0) {
+    const double goal = k == count ? until : start + span * k / count;
     double h = goal - state.time;
-    while (state.time < goal - 1e-12 * span) {
-      const double left = goal - state.time;
-      h = left < 1.5 * h ? left : h;
-      if (take(state, h, after)) {
-        if (stopped_) return false;
-        continue;
+    while (goal - state.time > 1e-12 * span) {
+      h = std::min(h, goal - state.time);
+      if (take(state, h, after).outcome != StepOutcome::accepted) {
+        h *= 0.5;
+        if (h < options_.shortest) return false;
+      } else if (stopped_) {
+        return false;
       }
-      ++counts_.rejected;
-      h *= 0.5;
-      if (h < options_.shortest) return false;
     }
     state.time = goal;
   }
@@ -104,36 +106,21 @@ template <class State>
 bool TimeMarch<Integrator>::advance(State& state, double until,
                                     const std::function<bool(double)>& after) {
   if (options_.step > 0.0) return advance_equally(state, until, after);
-  const double exponent = 1.0 / (Integrator::error_order);
   while (state.time < until) {
     const double left = until - state.time;
-    // two steps of like size rather than a long and a very short one
-    const double h =
-        next_ >= 0.999 * left ? left : std::min(next_, 0.55 * left > next_ ? next_ : 0.5 * left);
-    const StepReport report = integrator_.step(state, h);
-    counts_.iterations += report.iterations;
+    // equal steps to the goal rather than long ones and a very short one
+    const double h = left / std::max(1.0, std::ceil(left / next_ - 1e-3));
+    const StepReport report = take(state, h, after);
+    const double growth = 0.9 * std::pow(options_.tolerance / std::max(report.error, 1e-300),
+                                         1.0 / Integrator::error_order);
     if (report.outcome == StepOutcome::accepted) {
-      ++counts_.steps;
-      counts_.smallest_step = std::min(counts_.smallest_step, h);
-      counts_.largest_step = std::max(counts_.largest_step, h);
       if (h == left) state.time = until;
-      const double growth =
-          0.9 * std::pow(options_.tolerance / std::max(report.error, 1e-300), exponent);
-      // a step that was cut short by `until` says little about the next one
-      const double proposed = h * std::clamp(growth, 0.3, 4.0);
-      next_ = h < 0.9 * next_ ? std::max(next_ * std::min(1.0, growth * h / next_ * 4.0), proposed)
-                              : (growth > 1.0 && growth < 1.2 ? h : proposed);
-      if (after && !after(h)) {
-        stopped_ = true;
-        return false;
-      }
+      // a little more is not worth new matrices
+      next_ = h * (growth > 1.0 && growth < 1.2 ? 1.0 : std::clamp(growth, 0.3, 4.0));
+      if (stopped_) return false;
       continue;
     }
-    ++counts_.rejected;
-    if (report.outcome == StepOutcome::inaccurate)
-      next_ = h * std::clamp(0.9 * std::pow(options_.tolerance / report.error, exponent), 0.1, 0.8);
-    else
-      next_ = 0.3 * h;
+    next_ = h * (report.outcome == StepOutcome::inaccurate ? std::clamp(growth, 0.1, 0.8) : 0.3);
     if (next_ < options_.shortest) return false;
   }
   return true;

@@ -247,8 +247,9 @@ void compare_modes(ModeResult& result) {
     if (m == result.reference) continue;
     ModelingModes& modes = result.modelings[m];
     for (std::size_t i = 0; i < std::min(reference.size(), modes.modes.size()); ++i)
-      modes.difference = std::max(modes.difference.value_or(0.0),
-                                  std::abs(modes.modes[i].value / reference[i].value - 1.0));
+      if (reference[i].value != 0.0)
+        modes.difference = std::max(modes.difference.value_or(0.0),
+                                    std::abs(modes.modes[i].value / reference[i].value - 1.0));
   }
 }
 

@@ -54,27 +54,40 @@ void scale(ModeShape& shape, double factor) {
 
 }  // namespace
 
+Mode make_mode(const std::function<PathState(double)>& moved, double step, double value) {
+  Mode mode;
+  mode.value = value;
+  mode.shape = rate_between(moved(-step), moved(step), step);
+  const double most = largest(mode.shape);
+  if (most > 0.0) scale(mode.shape, 1.0 / most);
+  const PathState state = moved(0.0);
+  mode.bodies = state.bodies;
+  mode.axes = state.axes;
+  return mode;
+}
+
 Mode make_mode(const Model& model, const System& system, const std::vector<double>& z,
                const std::vector<double>& direction, double value) {
   // the direction of a flexure that buckles alone moves no body: sized by all unknowns
   double size = std::sqrt(system.inner(direction, direction));
   for (std::size_t i = system.first_internal(); i < direction.size(); ++i)
     size = std::max(size, std::abs(direction[i]));
-  const double step = 1e-5 / size;
   const auto moved = [&](double by) {
     std::vector<double> at = z;
     for (std::size_t i = 0; i < at.size(); ++i) at[i] += by * direction[i];
     return make_path_state(model, system, at, 0.0);
   };
-  Mode mode;
-  mode.value = value;
-  mode.shape = rate_between(moved(-step), moved(step), step);
-  const double most = largest(mode.shape);
-  if (most > 0.0) scale(mode.shape, 1.0 / most);
-  const PathState state = make_path_state(model, system, z, 0.0);
-  mode.bodies = state.bodies;
-  mode.axes = state.axes;
-  return mode;
+  return make_mode(moved, 1e-5 / size, value);
+}
+
+Mode make_mode(const Model& model, const MotionSystem& system, const Moment& moment,
+               const Eigen::VectorXd& direction, double value) {
+  const auto moved = [&](double by) {
+    Moment at = moment;
+    at.q += by * direction;
+    return make_path_state(model, MovingState(system, at), 0.0);
+  };
+  return make_mode(moved, 1e-5 / system.size_of(direction), value);
 }
 
 }  // namespace flexura

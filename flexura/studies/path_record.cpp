@@ -9,8 +9,8 @@ namespace {
 /// From axes of a flexure's base section to the global ones.
 class ToGlobal {
  public:
-  ToGlobal(const System& system, std::size_t member, const std::vector<double>& z)
-      : base_(system.base_section(member, z)), linearised_(system.linearised()) {}
+  ToGlobal(const MechanismState& state, std::size_t member)
+      : base_(state.base_section(member)), linearised_(state.linearised()) {}
 
   Vec2 point(Vec2 local, Vec2 drawn) const {
     if (!linearised_) return base_.position + rotate(base_.rotation, local);
@@ -28,16 +28,9 @@ struct DrawnSections {
   std::vector<SectionState> before;  // of the unloaded flexure, where kinematics are linearised
 };
 
-DrawnSections sections_of(const System& system, std::size_t member, const std::vector<double>& z) {
-  const TwoPort& port = *system.layout().members[member].port;
-  DrawnSections sections{
-      port.sections_in(system.surroundings(member, z), system.member_load(member, z),
-                       system.internal(member, z)),
-      {}};
-  if (system.linearised()) {
-    const std::vector<double> rest(port.internal_size(), 0.0);
-    sections.before = port.sections(Eigen::Vector3d::Zero(), rest);
-  }
+DrawnSections sections_of(const MechanismState& state, std::size_t member) {
+  DrawnSections sections{state.sections(member), {}};
+  if (state.linearised()) sections.before = state.drawn_sections(member);
   return sections;
 }
 
@@ -48,10 +41,10 @@ Vec2 drawn_place(const DrawnSections& sections, std::size_t k) {
 /// The largest fibre stress at the stations of a flexure.
 class FibreStress {
  public:
-  FibreStress(const Model& model, const System& system, std::size_t flexure)
+  FibreStress(const Model& model, std::size_t flexure)
       : shape_(model.sections[model.flexures[flexure].section].shape),
         varies_(section_varies(shape_)),
-        length_(system.layout().members[flexure].length),
+        length_(AxisCurve(model.flexures[flexure].axis).length()),
         section_(section_properties(shape_)) {}
 
   double operator()(const SectionState& state, double s) const {
@@ -81,40 +74,43 @@ class FibreStress {
 
 }  // namespace
 
-PathState make_path_state(const Model& model, const System& system, const std::vector<double>& z,
-                          double load_factor) {
+PathState make_path_state(const Model& model, const MechanismState& mechanism, double load_factor) {
   PathState state;
   state.load_factor = load_factor;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (model.bodies[b].fixed) continue;
-    state.bodies.push_back(system.pose(b, z));
+    state.bodies.push_back(mechanism.pose(b));
     for (const Point& point : model.bodies[b].points)
-      state.points.push_back(system.moved_point(b, point.position, z));
+      state.points.push_back(mechanism.moved_point(b, point.position));
   }
   for (std::size_t k = 0; k < model.flexures.size(); ++k) {
-    const ToGlobal to_global(system, k, z);
-    const DrawnSections sections = sections_of(system, k, z);
+    const ToGlobal to_global(mechanism, k);
+    const DrawnSections sections = sections_of(mechanism, k);
     const std::size_t middle = sections.now.size() / 2;
     const Pose& mid = sections.now[middle].pose;
     state.mids.push_back({to_global.point(mid.position, drawn_place(sections, middle)),
                           to_global.rotation(mid.rotation)});
-    std::vector<Vec2> axis =
-        system.layout().members[k].port->drawn_axis(sections.now, system.internal(k, z));
+    std::vector<Vec2> axis = mechanism.drawn_axis(k, sections.now);
     for (std::size_t i = 0; i < axis.size(); ++i)
       axis[i] = to_global.point(axis[i], drawn_place(sections, i));
     state.axes.push_back(std::move(axis));
-    state.peak_stresses.push_back(FibreStress(model, system, k).largest(sections.now));
+    state.peak_stresses.push_back(FibreStress(model, k).largest(sections.now));
   }
   return state;
 }
 
-std::vector<std::vector<MemberStation>> make_members(const Model& model, const System& system,
-                                                     const std::vector<double>& z) {
+PathState make_path_state(const Model& model, const System& system, const std::vector<double>& z,
+                          double load_factor) {
+  return make_path_state(model, StillState(system, z), load_factor);
+}
+
+std::vector<std::vector<MemberStation>> make_members(const Model& model,
+                                                     const MechanismState& mechanism) {
   std::vector<std::vector<MemberStation>> members;
   for (std::size_t k = 0; k < model.flexures.size(); ++k) {
-    const ToGlobal to_global(system, k, z);
-    const DrawnSections sections = sections_of(system, k, z);
-    const FibreStress stress(model, system, k);
+    const ToGlobal to_global(mechanism, k);
+    const DrawnSections sections = sections_of(mechanism, k);
+    const FibreStress stress(model, k);
     std::vector<MemberStation> stations;
     for (std::size_t i = 0; i < sections.now.size(); ++i) {
       const SectionState& s = sections.now[i];
@@ -130,6 +126,11 @@ std::vector<std::vector<MemberStation>> make_members(const Model& model, const S
     members.push_back(std::move(stations));
   }
   return members;
+}
+
+std::vector<std::vector<MemberStation>> make_members(const Model& model, const System& system,
+                                                     const std::vector<double>& z) {
+  return make_members(model, StillState(system, z));
 }
 
 PathResult make_path_names(const Model& model) {

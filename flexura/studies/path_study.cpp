@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flexura/studies/arc_tracer.hpp"
+#include "flexura/studies/displacement_norm.hpp"
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_tracer.hpp"
 #include "flexura/studies/prescribed.hpp"
@@ -15,30 +16,6 @@
 namespace flexura {
 namespace {
 
-// Points that hardly move would turn rounding into a relative difference.
-constexpr double hardly_moves = 1e-6;  // of the largest displacement of any point
-constexpr double stands_still = 1e-9;  // of the mechanism's size
-constexpr double rounding = 2e-15;     // likewise, of a distance
-
-std::vector<Vec2> points_of(const PathState& state) {
-  if (!state.points.empty()) return state.points;
-  std::vector<Vec2> centres;
-  for (const Pose& body : state.bodies) centres.push_back(body.position);
-  return centres;
-}
-
-/// The diagonal of the box around all flexures as drawn.
-double mechanism_size(const PathState& start) {
-  Vec2 low{INFINITY, INFINITY};
-  Vec2 high{-INFINITY, -INFINITY};
-  for (const auto& axis : start.axes)
-    for (const Vec2 p : axis) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  return norm(high - low);
-}
-
 /// Of the flexures as drawn.
 double mean_length(const PathState& start) {
   double sum = 0.0;
@@ -47,27 +24,18 @@ double mean_length(const PathState& start) {
   return start.axes.empty() ? 0.0 : sum / static_cast<double>(start.axes.size());
 }
 
-/// Largest displacement of every point over the path, floored.
+/// Largest displacement of every point over the path.
 std::vector<double> largest_displacements(const std::vector<PathState>& states) {
-  const std::vector<Vec2> start = points_of(states.front());
-  std::vector<double> largest(start.size(), 0.0);
-  for (const PathState& state : states) {
-    const std::vector<Vec2> now = points_of(state);
-    for (std::size_t p = 0; p < now.size(); ++p)
-      largest[p] = std::max(largest[p], norm(now[p] - start[p]));
-  }
-  double most = 0.0;
-  for (const double d : largest) most = std::max(most, d);
-  const double floor = std::max(hardly_moves * most, stands_still * mechanism_size(states.front()));
-  for (double& d : largest) d = std::max(d, floor);
-  return largest;
+  LargestDisplacements largest(states.front());
+  for (const PathState& state : states) largest.add(state);
+  return largest.values();
 }
 
 /// Absent where any state but the first has no estimate.
 std::optional<double> relative_error(const TracedPath& traced,
                                      const std::vector<PathState>& states) {
   const std::vector<double> size = largest_displacements(states);
-  const double noise = rounding * mechanism_size(states.front());
+  const double noise = displacement_rounding(states.front());
   if (traced.states.size() < 2) return {};
   double worst = 0.0;
   for (const TracedState& state : traced.states) {
@@ -173,7 +141,7 @@ void compare_with_reference(PathResult& result) {
   const ModelingPath& reference = result.modelings[result.reference];
   if (reference.states.empty()) return;
   const std::vector<double> size = largest_displacements(reference.states);
-  const double noise = rounding * mechanism_size(reference.states.front());
+  const double noise = displacement_rounding(reference.states.front());
   const double length = mean_length(reference.states.front());
   for (std::size_t m = 0; m < result.modelings.size(); ++m) {
     ModelingPath& path = result.modelings[m];
@@ -184,13 +152,8 @@ void compare_with_reference(PathResult& result) {
       continue;
     }
     double worst = reaction_difference(path, reference, length);
-    for (std::size_t k = 0; k < states; ++k) {
-      const std::vector<Vec2> here = points_of(path.states[k]);
-      const std::vector<Vec2> there = points_of(reference.states[k]);
-      for (std::size_t p = 0; p < here.size(); ++p)
-        if (norm(here[p] - there[p]) > noise)
-          worst = std::max(worst, norm(here[p] - there[p]) / size[p]);
-    }
+    for (std::size_t k = 0; k < states; ++k)
+      worst = std::max(worst, relative_distance(path.states[k], reference.states[k], size, noise));
     path.difference = worst;
   }
 }

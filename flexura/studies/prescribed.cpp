@@ -35,6 +35,30 @@ void add_prescribed(SystemLayout& layout, const Model& model,
   }
 }
 
+void add_prescribed(MotionLayout& layout, const Model& model,
+                    const std::vector<Prescribed>& prescribed) {
+  add_prescribed(layout.mechanism, model, prescribed);
+  for (const Prescribed& p : prescribed)
+    for_each_component(p, [&](auto, double) { layout.prescribed.push_back(p.history); });
+}
+
+std::vector<Prescribed> with_drivers(const Model& model, std::vector<Prescribed> prescribed) {
+  std::vector<Prescribed> all;
+  for (const Driver& driver : model.drivers) {
+    Prescribed held{driver.body, {}, 0.0, 0.0, 0.0, driver.history};
+    if (driver.direction) {
+      const double share = driver.amount / norm(*driver.direction);
+      held.x = share * driver.direction->x;
+      held.y = share * driver.direction->y;
+    } else {
+      held.rotation = driver.amount;
+    }
+    all.push_back(std::move(held));
+  }
+  all.insert(all.end(), prescribed.begin(), prescribed.end());
+  return all;
+}
+
 std::vector<HeldPlace> held_places(const Model& model, const std::vector<Prescribed>& prescribed) {
   // as make_path_names counts them: moving bodies and their points
   std::vector<std::size_t> body_index(model.bodies.size(), 0);
@@ -62,8 +86,8 @@ std::vector<HeldPlace> held_places(const Model& model, const std::vector<Prescri
   return places;
 }
 
-std::vector<Reaction> reactions_in(const System& system, const std::vector<Prescribed>& prescribed,
-                                   const std::vector<double>& z) {
+std::vector<Reaction> reactions_of(const std::vector<Prescribed>& prescribed,
+                                   const std::function<double(std::size_t)>& reaction_of) {
   using Component = SystemLayout::Prescribed::Component;
   std::vector<Reaction> reactions;
   std::vector<std::size_t> place(prescribed.size());
@@ -76,13 +100,19 @@ std::vector<Reaction> reactions_in(const System& system, const std::vector<Presc
     }
     Reaction& reaction = reactions[place[first]];
     for_each_component(prescribed[i], [&](Component component, double) {
-      const double value = system.prescribed_reaction(row++, z);
+      const double value = reaction_of(row++);
       if (component == Component::x) reaction.force.x += value;
       if (component == Component::y) reaction.force.y += value;
       if (component == Component::rotation) reaction.moment += value;
     });
   }
   return reactions;
+}
+
+std::vector<Reaction> reactions_in(const System& system, const std::vector<Prescribed>& prescribed,
+                                   const std::vector<double>& z) {
+  return reactions_of(prescribed,
+                      [&](std::size_t row) { return system.prescribed_reaction(row, z); });
 }
 
 }  // namespace flexura

@@ -13,9 +13,12 @@
 #include "flexura/studies/drawing.hpp"
 #include "flexura/studies/inverse_study.hpp"
 #include "flexura/studies/linear_study.hpp"
+#include "flexura/studies/modes_study.hpp"
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_study.hpp"
 #include "flexura/studies/prescribed.hpp"
+#include "flexura/studies/response_study.hpp"
+#include "flexura/studies/transient_study.hpp"
 
 namespace flexura {
 namespace {
@@ -108,12 +111,7 @@ class Run {
   void prepare(const BucklingStudy& study, StudyResult& result) {
     result.kind = "buckling";
     result.loads = make_drawn_loads(model_, study.loads);
-    PathResult names = make_path_names(model_);
-    ModeResult modes;
-    modes.bodies = std::move(names.bodies);
-    modes.points = std::move(names.points);
-    modes.flexures = std::move(names.flexures);
-    result.content = std::move(modes);
+    result.content = mode_names();
   }
   void prepare(const InverseStudy&, StudyResult& result) {
     result.kind = "inverse";
@@ -123,12 +121,62 @@ class Run {
     result.content = std::move(path);
   }
 
-  void prepare(const ModesStudy&, StudyResult&) {}
-  void prepare(const TransientStudy&, StudyResult&) {}
-  void prepare(const ResponseStudy&, StudyResult&) {}
-  void add_tasks(const ModesStudy&, StudyResult&) {}
-  void add_tasks(const TransientStudy&, StudyResult&) {}
-  void add_tasks(const ResponseStudy&, StudyResult&) {}
+  ModeResult mode_names() const {
+    PathResult names = make_path_names(model_);
+    ModeResult modes;
+    modes.bodies = std::move(names.bodies);
+    modes.points = std::move(names.points);
+    modes.flexures = std::move(names.flexures);
+    return modes;
+  }
+  void prepare(const ModesStudy&, StudyResult& result) {
+    result.kind = "modes";
+    result.content = mode_names();
+  }
+  void prepare(const TransientStudy& study, StudyResult& result) {
+    result.kind = "transient";
+    result.loads = make_drawn_loads(model_, study.loads);
+    for (std::size_t i = 0; i < study.loads.size(); ++i)
+      result.loads[i].history = describe_history(study.loads[i].history);
+    result.fields = make_drawn_fields(study.fields);
+    PathResult names = make_path_names(model_);
+    MotionResult motion;
+    motion.bodies = std::move(names.bodies);
+    motion.points = std::move(names.points);
+    motion.flexures = std::move(names.flexures);
+    motion.strengths = std::move(names.strengths);
+    motion.held = held_places(model_, with_drivers(model_, study.prescribe));
+    motion.method = method_name(study);
+    motion.damping = damping_sentence(study.damping);
+    result.content = std::move(motion);
+  }
+  void prepare(const ResponseStudy& study, StudyResult& result) {
+    result.kind = "response";
+    result.loads = make_drawn_loads(model_, study.loads);
+    ResponseResult response;
+    response.places = response_places(model_);
+    response.damping = damping_sentence(study.damping);
+    result.content = std::move(response);
+  }
+  void add_tasks(const ModesStudy& study, StudyResult& result) {
+    add_modelings(study.modelings, study.reference, result, std::get<ModeResult>(result.content),
+                  [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
+                    return run_modes(model_, study, settings, keep_going);
+                  });
+  }
+  void add_tasks(const TransientStudy& study, StudyResult& result) {
+    add_modelings(study.modelings, study.reference, result, std::get<MotionResult>(result.content),
+                  [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
+                    return run_transient(model_, study, settings, keep_going);
+                  });
+  }
+  void add_tasks(const ResponseStudy& study, StudyResult& result) {
+    add_modelings(study.modelings, study.reference, result,
+                  std::get<ResponseResult>(result.content),
+                  [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
+                    return run_response(model_, study, settings, keep_going);
+                  });
+  }
 
   void add_tasks(const LinearStudy& study, StudyResult& result) {
     tasks_.push_back([this, &study, &result] {
@@ -206,6 +254,14 @@ std::vector<StudyResult> Run::finish() {
     if (auto* modes = std::get_if<ModeResult>(&result->content)) {
       if (!modes->modelings.empty()) compare_modes(*modes);
       result->termination = summarize(*modes);
+    }
+    if (auto* motion = std::get_if<MotionResult>(&result->content)) {
+      if (!motion->modelings.empty()) compare_motions(*motion);
+      result->termination = summarize(*motion);
+    }
+    if (auto* response = std::get_if<ResponseResult>(&result->content)) {
+      if (!response->modelings.empty()) compare_responses(*response);
+      result->termination = summarize(*response);
     }
     results.push_back(std::move(*result));
   }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "flexura/assembly/motion_system.hpp"
+#include "flexura/model/model.hpp"
+#include "flexura/results/motion_result.hpp"
+#include "flexura/solvers/time_march.hpp"
+
+namespace flexura {
+
+/// A mechanism and where it starts to move.
+struct TransientStart {
+  std::unique_ptr<MotionSystem> system;
+  Moment moment;
+  Termination termination;
+};
+
+TransientStart start_transient(const Model& model, const TransientStudy& study,
+                               const ModelingSettings& settings);
+
+/// How finely a run steps: by tolerance, or by fixed steps where `step` > 0.
+struct TransientSteps {
+  double step = 0.0;
+  double tolerance = 0.0;
+};
+
+/// Integrates from the start to the end of the study. `record` is called at the start and at every
+/// output time with the moment and its energies; it or `keep_going` may stop the run.
+struct TransientRun {
+  Termination termination;
+  MarchCounts counts;
+};
+using RecordMoment = std::function<void(const Moment&, const EnergyBalance&)>;
+TransientRun integrate(MotionSystem& system, Moment& moment, const TransientStudy& study,
+                       const TransientSteps& steps, const RecordMoment& record,
+                       const std::function<bool(double)>& keep_going);
+
+}  // namespace flexura
