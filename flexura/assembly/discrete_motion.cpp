@@ -35,7 +35,8 @@ void DiscreteMotion::place(const Eigen::VectorXd& q, std::vector<Vec2>& places) 
   for (std::size_t k = 0; k < system_.member_count(); ++k) {
     const MotionPort& port = system_.port(k);
     Ends& ends = ends_[k];
-    port.evaluate(Eigen::Vector3d::Zero(), system_.internal(k, q), ends.to);
+    const double* y = system_.internal(k, q);
+    port.evaluate(Eigen::Vector3d::Zero(), y, y, y, ends.to);  // rates are not asked for
     const Pose base = system_.base_section(k, q);
     Vec2* out = places.data() + first_point_[k];
     for (std::size_t g = 0; g < port.points().size(); ++g) {
@@ -148,9 +149,11 @@ void DiscreteMotion::add_member(std::size_t member, const Moment& from, const Mo
     ends.y_middle[i] = 0.5 * (y0[i] + y1[i]);
   }
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();
-  ends.answer_from = port.evaluate(none, y0, ends.from);
-  ends.answer_middle = port.evaluate(none, ends.y_middle.data(), ends.middle);
-  ends.answer_to = port.evaluate(none, y1, ends.to);
+  // rates are not asked for: any numbers do
+  ends.answer_from = port.evaluate(none, y0, y0, y0, ends.from);
+  ends.answer_middle = port.evaluate(none, ends.y_middle.data(), y0, y0, ends.middle);
+  ends.answer_to = port.evaluate(none, y1, y0, y0, ends.to);
+  port.linearize(none, ends.y_middle.data(), nullptr, ends.middle);
   // the energy's discrete derivative
   double squared = 0.0, predicted = 0.0;
   for (std::size_t i = 0; i < ends.change.size(); ++i) {
@@ -164,7 +167,6 @@ void DiscreteMotion::add_member(std::size_t member, const Moment& from, const Mo
   }
   const double stiffness = system_.layout().stiffness_damping;
   if (stiffness > 0.0) {
-    port.linearize(none, ends.y_middle.data(), nullptr, ends.middle);
     std::vector<double> rate(ends.change.size());
     multiply_symmetric(ends.middle.tangent.data(), port.layout(), ends.change.data(), rate.data());
     for (std::size_t i = 0; i < rate.size(); ++i) {

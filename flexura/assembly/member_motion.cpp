@@ -10,12 +10,11 @@ MemberMotion::MemberMotion(std::shared_ptr<const MotionPort> port, bool linearis
   residual_.resize(m);
   elastic_rate_.assign(m, 0.0);
   mass_.resize(work_.tangent.size());
-  curvature_.resize(work_.places.size());
   forces_.resize(work_.places.size());
   stiffness_coupling_.setZero(static_cast<Eigen::Index>(m), outer);
   mass_coupling_.setZero(static_cast<Eigen::Index>(m), outer);
   const std::vector<double> rest(m, 0.0);
-  port_->evaluate(Eigen::Vector3d::Zero(), rest.data(), work_);
+  port_->evaluate(Eigen::Vector3d::Zero(), rest.data(), rest.data(), rest.data(), work_);
   drawn_ = work_.places;
 }
 
@@ -23,32 +22,24 @@ MemberForces MemberMotion::evaluate(const Eigen::Vector3d& load, const double* y
                                     const double* a, const BaseMotion& base, double mass_damping,
                                     double stiffness_damping) {
   MemberForces sum;
-  const MotionPort::Answer answer = port_->evaluate(load, y, work_);
+  const MotionPort::Answer answer = port_->evaluate(load, y, v, a, work_);
   sum.tip = answer.tip;
   sum.strain_energy = answer.energy;
   for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] = work_.columns[4 * i];
   if (stiffness_damping != 0.0) add_stiffness_damping(y, v, stiffness_damping);
-  std::fill(curvature_.begin(), curvature_.end(), Vec2{});
-  if (!linearised_) port_->add_curvature(y, v, work_, curvature_.data());
-  const auto& points = port_->points();
-  const Vec2* slope = work_.slopes.data();
-  for (std::size_t g = 0; g < points.size(); slope += points[g].count, ++g)
-    add_point(g, slope, v, a, base, mass_damping, sum);
+  for (std::size_t g = 0; g < forces_.size(); ++g) move_point(g, base, mass_damping, sum);
+  port_->add_forces(forces_.data(), work_, residual_.data());
   return sum;
 }
 
-void MemberMotion::add_point(std::size_t g, const Vec2* slope, const double* v, const double* a,
-                             const BaseMotion& base, double mass_damping, MemberForces& sum) {
+void MemberMotion::move_point(std::size_t g, const BaseMotion& base, double mass_damping,
+                              MemberForces& sum) {
   const MassPoint& point = port_->points()[g];
   const double spin = base.spin;
-  Vec2 rate, second = curvature_[g];
-  for (std::size_t j = 0; j < point.count; ++j) {
-    rate = rate + v[point.first + j] * slope[j];
-    second = second + a[point.first + j] * slope[j];
-  }
+  const Vec2 rate = work_.rates[g];
   const Vec2 arm = linearised_ ? drawn_[g] : work_.places[g];
   Vec2 velocity = spin * perp(arm) + rate;
-  Vec2 acceleration = base.spin_rate * perp(arm) + second;
+  Vec2 acceleration = base.spin_rate * perp(arm) + work_.seconds[g];
   if (!linearised_) acceleration = acceleration - spin * spin * arm + 2.0 * spin * perp(rate);
   if (!point.direction) {
     velocity = velocity + base.velocity;
@@ -57,7 +48,6 @@ void MemberMotion::add_point(std::size_t g, const Vec2* slope, const double* v, 
   Vec2 force = point.inertia * (acceleration + mass_damping * velocity);
   if (point.force != Vec2{}) force = force - rotate(linearised_ ? 0.0 : -base.turn, point.force);
   forces_[g] = force;
-  for (std::size_t j = 0; j < point.count; ++j) residual_[point.first + j] += dot(slope[j], force);
   sum.torque += cross(arm, force);
   sum.kinetic_energy += 0.5 * point.inertia * dot(velocity, velocity);
   sum.angular_momentum += point.inertia * cross(work_.places[g], velocity);

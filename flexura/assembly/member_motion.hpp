@@ -76,14 +76,12 @@ class MemberMotion {
 
  private:
   void add_stiffness_damping(const double* y, const double* v, double factor);
-  void add_point(std::size_t g, const Vec2* slope, const double* v, const double* a,
-                 const BaseMotion& base, double mass_damping, MemberForces& sum);
+  void move_point(std::size_t g, const BaseMotion& base, double mass_damping, MemberForces& sum);
 
   std::shared_ptr<const MotionPort> port_;
   bool linearised_;
   MemberWork work_;
-  std::vector<Vec2> drawn_;      // places of the drawn state
-  std::vector<Vec2> curvature_;  // second derivatives of places along the rates
+  std::vector<Vec2> drawn_;  // places of the drawn state
   std::vector<Vec2> forces_;
   std::vector<double> residual_;
   std::vector<double> elastic_rate_;  // for damping

@@ -26,8 +26,11 @@ struct MassPoint {
 /// What a MotionPort finds at a state, and its scratch; the caller owns it.
 struct MemberWork {
   std::vector<double> columns;  ///< W_y and W_y,load of each unknown: 4 m
-  std::vector<double> tangent;  ///< the lower triangle of second derivatives, by the port's layout
   std::vector<Vec2> places;     ///< of the mass points, from the base end; or unit vectors
+  std::vector<Vec2> rates;      ///< of the places
+  std::vector<Vec2> seconds;    ///< and of their rates
+  // by `linearize`:
+  std::vector<double> tangent;  ///< the lower triangle of second derivatives, by the port's layout
   /// Derivatives of the places by the unknowns they depend on: `count` vectors per point, one point
   /// after the other.
   std::vector<Vec2> slopes;
@@ -61,15 +64,17 @@ class MotionPort {
     double energy = 0.0;
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();
   };
-  /// At (load, y), and columns, places and slopes into `work`.
-  virtual Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const = 0;
+  /// At (load, y); `v` and `a` are first and second rates of y. Fills columns, places and their
+  /// rates.
+  virtual Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v,
+                          const double* a, MemberWork& work) const = 0;
+  /// Adds the derivatives by y of the sum of force . place to m doubles. Precondition of this and
+  /// of what follows: the work's last evaluation was at this y.
+  virtual void add_forces(const Vec2* forces, MemberWork& work, double* residual) const = 0;
   /// Second derivatives of W, and of the sum of weight . place if there are weights, into the
-  /// work's tangent. Precondition: its last evaluation was at the same y.
+  /// work's tangent; the slopes of the places.
   virtual void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
                          MemberWork& work) const = 0;
-  /// Adds the second derivative of every place along the direction `rate`. Same precondition.
-  virtual void add_curvature(const double* /*y*/, const double* /*rate*/, MemberWork& /*work*/,
-                             Vec2* /*curvature*/) const {}
 
   /// Stations for results, as TwoPort::sections. Forces are those of the sections' strains where
   /// the modeling knows them, and else those that hold the load on the tip.
@@ -106,6 +111,8 @@ inline MemberWork sized_work(const MotionPort& port) {
   work.columns.resize(4 * layout.n);
   work.tangent.resize(layout.n * layout.row_stride);
   work.places.resize(port.points().size());
+  work.rates.resize(port.points().size());
+  work.seconds.resize(port.points().size());
   std::size_t slopes = 0;
   for (const MassPoint& point : port.points()) slopes += point.count;
   work.slopes.resize(slopes);

@@ -43,13 +43,9 @@ void MotionSystem::member_velocities(std::size_t member, const Moment& moment,
   const BaseMotion base = base_motion(member, moment, placed);
   const MemberWork& work = members_[member].work();
   const auto& points = port(member).points();
-  const double* rates = internal(member, moment.v);
-  const Vec2* slope = work.slopes.data();
-  for (std::size_t g = 0; g < points.size(); slope += points[g].count, ++g) {
-    Vec2 velocity = base.spin * perp(work.places[g]);
+  for (std::size_t g = 0; g < points.size(); ++g) {
+    Vec2 velocity = base.spin * perp(work.places[g]) + work.rates[g];
     if (!points[g].direction) velocity = velocity + base.velocity;
-    for (std::size_t j = 0; j < points[g].count; ++j)
-      velocity = velocity + rates[points[g].first + j] * slope[j];
     velocities[g] = rotate(placed.turn, velocity);
   }
 }

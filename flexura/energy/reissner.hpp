@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "flexura/core/jet2.hpp"
+#include "flexura/core/vec2.hpp"
 
 namespace flexura {
 
@@ -35,6 +37,12 @@ AxisSlope<Scalar> reissner_axis_slope(const Scalar& theta, const Scalar& stretch
   const Scalar c = cos(theta);
   const Scalar s = sin(theta);
   return {stretch * c - gamma * s, stretch * s + gamma * c};
+}
+
+/// Its derivatives by angle, stretch and shear: it turns with the angle and is linear in the rest.
+inline std::array<Vec2, 3> reissner_slopes(double theta, double stretch, double gamma) {
+  const Vec2 t = unit(theta);
+  return {stretch * perp(t) - gamma * t, t, perp(t)};
 }
 
 /// Stiffnesses of a section: EA, GA_s, EI.

@@ -35,11 +35,11 @@ class BcmMotionPort final : public MotionPort {
     for (std::size_t k = 0; k < count_; ++k) weights[per * k] = axial_;
     return weights;
   }
-  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override;
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
+                  MemberWork& work) const override;
+  void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override;
   void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
                  MemberWork& work) const override;
-  void add_curvature(const double* y, const double* rate, MemberWork& work,
-                     Vec2* curvature) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override;
   std::vector<double> adopt(std::span<const SectionState> sections,
                             std::span<const double> internal) const override;
@@ -69,6 +69,9 @@ class BcmMotionPort final : public MotionPort {
   void add_slopes(std::size_t element, const PlaceJet& jet, Vec2* slope) const;
   void add_hessian(std::size_t element, const PlaceJet& jet, Vec2 weight, double* tangent) const;
   Vec2 curvature_of(std::size_t element, const PlaceJet& jet, const double* rate) const;
+  /// Slopes of the point g by the unknowns it depends on, from those of its element's start.
+  void fill_slopes(std::size_t g, std::size_t element, const PlaceJet& jet, const Vec2* start,
+                   Vec2* slopes) const;
 
   FlexureProperties flexure_;
   FlexureInertia inertia_;
@@ -161,18 +164,18 @@ Vec2 BcmMotionPort::curvature_of(std::size_t element, const PlaceJet& jet,
 }
 
 MotionPort::Answer BcmMotionPort::evaluate(const Eigen::Vector3d& load, const double* y,
+                                           const double* v, const double* a,
                                            MemberWork& work) const {
   using Energy = Jet2<3>;  // across, turn, force
   const std::size_t m = internal_size();
   const double unit_energy = flexure_.bending_stiffness / length_;
   std::fill(work.columns.begin(), work.columns.end(), 0.0);
-  std::fill(work.slopes.begin(), work.slopes.end(), Vec2{});
   PlaceJet* ends = jets(work);
   PlaceJet* inner = ends + count_;
   Vec2* sums = reinterpret_cast<Vec2*>(inner + points_.size());  // slopes of the element's start
   std::fill_n(sums, m, Vec2{});
   Answer answer{0.0, Eigen::Vector3d::Zero()};
-  Vec2 start;
+  Vec2 start, start_curvature;
   Vec2* slope = work.slopes.data();
   std::size_t g = 0;
   for (std::size_t k = 0; k < count_; ++k) {
@@ -193,15 +196,22 @@ MotionPort::Answer BcmMotionPort::evaluate(const Eigen::Vector3d& load, const do
       inner[g] = points_[g].direction ? direction_jet(frame, element, places_[g])
                                       : place_jet(frame, element, places_[g]);
       work.places[g] = Vec2{inner[g].x.value, inner[g].y.value};
+      work.seconds[g] = curvature_of(k, inner[g], v);
       if (!points_[g].direction) {
         work.places[g] = work.places[g] + start;
-        std::copy_n(sums, points_[g].count, slope);
+        work.seconds[g] = work.seconds[g] + start_curvature;
       }
-      add_slopes(k, inner[g], slope);
+      fill_slopes(g, k, inner[g], sums, slope);
+      work.rates[g] = {};
+      for (std::size_t j = 0; j < points_[g].count; ++j) {
+        work.rates[g] = work.rates[g] + v[j] * slope[j];
+        work.seconds[g] = work.seconds[g] + a[j] * slope[j];
+      }
       slope += points_[g].count;
     }
     ends[k] = place_jet(frame, element, 1.0);
     start = start + Vec2{ends[k].x.value, ends[k].y.value};
+    start_curvature = start_curvature + curvature_of(k, ends[k], v);
     add_slopes(k, ends[k], sums);
     answer.tip[2] += element[turn];
   }
@@ -212,6 +222,22 @@ MotionPort::Answer BcmMotionPort::evaluate(const Eigen::Vector3d& load, const do
     work.columns[4 * i + 2] = -sums[i].y;
   }
   return answer;
+}
+
+void BcmMotionPort::fill_slopes(std::size_t g, std::size_t element, const PlaceJet& jet,
+                                const Vec2* start, Vec2* slopes) const {
+  if (points_[g].direction)
+    std::fill_n(slopes, points_[g].count, Vec2{});
+  else
+    std::copy_n(start, points_[g].count, slopes);
+  add_slopes(element, jet, slopes);
+}
+
+void BcmMotionPort::add_forces(const Vec2* forces, MemberWork& work, double* residual) const {
+  const Vec2* slope = work.slopes.data();
+  for (std::size_t g = 0; g < points_.size(); ++g)
+    for (std::size_t j = 0; j < points_[g].count; ++j, ++slope)
+      residual[j] += dot(forces[g], *slope);
 }
 
 void BcmMotionPort::linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
@@ -241,21 +267,6 @@ void BcmMotionPort::linearize(const Eigen::Vector3d& load, const double* y, cons
       add_hessian(k, inner[g - 1], weights[g - 1], tangent);
       if (!points_[g - 1].direction) ahead = ahead + weights[g - 1];
     }
-  }
-}
-
-void BcmMotionPort::add_curvature(const double* /*y*/, const double* rate, MemberWork& work,
-                                  Vec2* curvature) const {
-  const PlaceJet* ends = jets(work);
-  const PlaceJet* inner = ends + count_;
-  Vec2 start;
-  std::size_t g = 0;
-  for (std::size_t k = 0; k < count_; ++k) {
-    for (; g < points_.size() && points_[g].count == per * (k + 1); ++g) {
-      curvature[g] = curvature[g] + curvature_of(k, inner[g], rate);
-      if (!points_[g].direction) curvature[g] = curvature[g] + start;
-    }
-    start = start + curvature_of(k, ends[k], rate);
   }
 }
 

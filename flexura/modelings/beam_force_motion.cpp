@@ -25,16 +25,16 @@ class ForceBeamMotionPort final : public MotionPort {
   const std::vector<MassPoint>& points() const override { return motion_.chain().points; }
   std::size_t scratch_size() const override { return motion_.scratch_size(); }
   std::vector<double> weights() const override { return motion_.chain().weights; }
-  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override {
-    return motion_.evaluate(load, y, work);
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
+                  MemberWork& work) const override {
+    return motion_.evaluate(load, y, v, a, work);
+  }
+  void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override {
+    motion_.add_forces(forces, work, residual);
   }
   void linearize(const Eigen::Vector3d& load, const double* /*y*/, const Vec2* weights,
                  MemberWork& work) const override {
     motion_.linearize(load, weights, work);
-  }
-  void add_curvature(const double* /*y*/, const double* rate, MemberWork& work,
-                     Vec2* curvature) const override {
-    motion_.add_curvature(rate, work, curvature);
   }
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override {
     return still_->sections(load, {y, rotations()});
@@ -71,7 +71,7 @@ AngleChain ForceBeamMotionPort::make_chain() const {
   chain.unknowns = n + (flexure_.axial_compliance > 0.0 ? points : 0) +
                    (flexure_.shear_compliance > 0.0 ? points : 0);
   const std::size_t m = chain.unknowns;
-  chain.turns.assign(points * m, 0.0);
+  chain.turns = {0, n, std::vector<double>(points * n, 0.0)};
   chain.stiffness.assign(m * m, 0.0);
   chain.tip_turn.assign(m, 0.0);
   chain.tip_turn[n - 1] = 1.0;
@@ -87,7 +87,7 @@ AngleChain ForceBeamMotionPort::make_chain() const {
     const double bending = point.weight * flexure_.at(point.s).bending_stiffness;
     for (std::size_t a = first == 0 ? 1 : 0; a < per; ++a) {
       const std::size_t i = first + a - 1;
-      chain.turns[p * m + i] = shape[a];
+      chain.turns.values[p * n + i] = shape[a];
       for (std::size_t b = first == 0 ? 1 : 0; b < per; ++b)
         chain.stiffness[i * m + first + b - 1] += bending * slope[a] * slope[b];
     }
@@ -104,13 +104,14 @@ AngleChain ForceBeamMotionPort::make_chain() const {
 void ForceBeamMotionPort::add_forces(AngleChain& chain) const {
   const std::size_t m = chain.unknowns;
   std::size_t first = rotations();
-  const auto add = [&](std::vector<double>& rows, bool axial) {
-    rows.assign(chain.arms.size() * m, 0.0);
+  const auto add = [&](AngleChain::Rows& rows, bool axial) {
+    const std::size_t count = chain.arms.size();
+    rows = {first, count, std::vector<double>(count * count, 0.0)};
     for (std::size_t p = 0; p < chain.arms.size(); ++p) {
       const FlexureProperties::Local local = flexure_.at(chain.arms[p].s);
       const double strain =
           unit_force() * (axial ? local.axial_compliance : local.shear_compliance);
-      rows[p * m + first + p] = strain;
+      rows.values[p * count + p] = strain;
       chain.stiffness[(first + p) * m + first + p] = chain.arms[p].weight * strain * unit_force();
       chain.weights[first + p] = strain;
     }

@@ -56,11 +56,15 @@ class HermiteBeamPort final : public TwoPort {
   double assemble(const double* y, double* columns, double* band, double heat) const;
   /// Puts the load on the tip into `columns`; where the tip is.
   Eigen::Vector3d add_tip_load(const Eigen::Vector3d& load, const double* y, double* columns) const;
+  bool is_linear() const { return settings_.theory == BeamSettings::Theory::linear; }
+  /// What the unknowns make of an element; by the linear theory, taken at the drawn state.
+  struct ElementJets;
+  ElementJets element_jets(std::size_t element, const double* y) const;
   /// Where the axis is at x in [0, 1] of an element, and the direction of the section there (or of
   /// the axis), by the element's unknowns.
   using PlaceJets = std::array<Unknowns, 2>;
-  PlaceJets place_at(std::size_t element, double x, const double* y) const;
-  PlaceJets direction_at(std::size_t element, double x, const double* y, bool along_axis) const;
+  PlaceJets place_at(const ElementJets& element, double x) const;
+  PlaceJets direction_at(const ElementJets& element, double x, bool along_axis) const;
   /// Sections with the forces of their strains.
   std::vector<SectionState> strained_sections(std::span<const double> internal) const;
 
@@ -104,7 +108,6 @@ class HermiteBeamPort final : public TwoPort {
                 double* work, double* coupling, FieldResponse& field) const;
   void add_heat(std::size_t element, const double* y, double load_factor, double* coupling,
                 FieldResponse& field) const;
-  bool is_linear() const { return settings_.theory == BeamSettings::Theory::linear; }
   void add_element(std::size_t element, const double* y, double heat, double* residual,
                    double* band, double& energy) const;
   double assemble(const double* y, double* scratch, double heat = 0.0) const {
@@ -137,6 +140,15 @@ class HermiteBeamPort final : public TwoPort {
   std::vector<double> rest_;  // unknowns of the drawn state
   double length_ = 0.0;
   Vec2 chord_;
+};
+
+struct HermiteBeamPort::ElementJets {
+  std::size_t index = 0;
+  std::array<double, element_unknowns> at{};  ///< the unknowns
+  Deformed deformed;
+  Unknowns x, y;           ///< displacement of the near node
+  Unknowns along, beside;  ///< vector to the far node
+  Unknowns shortness;      ///< inverse of its length
 };
 
 }  // namespace flexura

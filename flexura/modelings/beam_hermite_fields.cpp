@@ -14,12 +14,13 @@ auto HermiteBeamPort::dead_work(std::size_t element, const double* y, double tur
     -> DeadWork {
   const double arc = length_ / static_cast<double>(elements());
   const QuadratureRule& rule = gauss_legendre(gauss_points);
+  const ElementJets jets = element_jets(element, y);
   DeadWork work;
   for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
     const double x = 0.5 * (1.0 + rule.nodes[q]);
     const Vec2 load = flexure_.load_at(arc * (static_cast<double>(element) + x));
     const Vec2 now = (0.5 * rule.weights[q] * arc) * rotate(-turn, load);
-    const PlaceJets place = place_at(element, x, y);
+    const PlaceJets place = place_at(jets, x);
     work.now += now.x * place[0] + now.y * place[1];
     work.by_turn += now.y * place[0] - now.x * place[1];
   }

@@ -24,14 +24,14 @@ class HermiteMotionPort final : public MotionPort {
   const std::vector<MassPoint>& points() const override { return points_; }
   std::size_t scratch_size() const override {
     return internal_size() * (still_.width() + 1) +
-           points_.size() * 2 * sizeof(HermiteBeamPort::Unknowns) / sizeof(double);
+           points_.size() * 2 * sizeof(Unknowns) / sizeof(double);
   }
   std::vector<double> weights() const override { return still_.weights(); }
-  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override;
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
+                  MemberWork& work) const override;
+  void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override;
   void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
                  MemberWork& work) const override;
-  void add_curvature(const double* y, const double* rate, MemberWork& work,
-                     Vec2* curvature) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& /*load*/,
                                      const double* y) const override {
     return still_.strained_sections({y, internal_size()});
@@ -63,6 +63,7 @@ class HermiteMotionPort final : public MotionPort {
            2 * g;
   }
   void add_points(std::size_t element, double x, double weight);
+  void move_point(std::size_t g, const double* v, const double* a, MemberWork& work) const;
 
   FlexureProperties flexure_;
   FlexureInertia inertia_;
@@ -102,56 +103,78 @@ void HermiteMotionPort::add_points(std::size_t element, double x, double weight)
 }
 
 MotionPort::Answer HermiteMotionPort::evaluate(const Eigen::Vector3d& load, const double* y,
+                                               const double* v, const double* a,
                                                MemberWork& work) const {
   Answer answer;
   answer.energy =
       still_.assemble(y, work.columns.data(), work.scratch.data(), flexure_.field.strain);
   answer.tip = still_.add_tip_load(load, y, work.columns.data());
-  Vec2* slope = work.slopes.data();
-  for (std::size_t g = 0; g < points_.size(); slope += points_[g].count, ++g) {
-    Unknowns* jet = jets(work, g);
-    const auto both = points_[g].direction ? still_.direction_at(places_[g].element, places_[g].x,
-                                                                 y, !inertia_.shear_rotary)
-                                           : still_.place_at(places_[g].element, places_[g].x, y);
-    jet[0] = both[0];
-    jet[1] = both[1];
-    work.places[g] = {jet[0].value, jet[1].value};
-    std::fill_n(slope, points_[g].count, Vec2{});
+  std::size_t g = 0;
+  for (std::size_t e = 0; e < static_cast<std::size_t>(settings_.elements); ++e) {
+    const HermiteBeamPort::ElementJets element = still_.element_jets(e, y);
+    for (; g < points_.size() && places_[g].element == e; ++g) {
+      Unknowns* jet = jets(work, g);
+      const auto both = points_[g].direction
+                            ? still_.direction_at(element, places_[g].x, !inertia_.shear_rotary)
+                            : still_.place_at(element, places_[g].x);
+      jet[0] = both[0];
+      jet[1] = both[1];
+      move_point(g, v, a, work);
+    }
+  }
+  return answer;
+}
+
+/// Rates of a place by the chain rule.
+void HermiteMotionPort::move_point(std::size_t g, const double* v, const double* a,
+                                   MemberWork& work) const {
+  const Unknowns* jet = jets(work, g);
+  const auto at = still_.places(places_[g].element);
+  Vec2 rate, second;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] < 0) continue;
+    const Vec2 slope{jet[0].gradient[i], jet[1].gradient[i]};
+    rate = rate + v[at[i]] * slope;
+    second = second + a[at[i]] * slope;
+    if (still_.is_linear()) continue;
+    for (std::size_t j = 0; j < at.size(); ++j)
+      if (at[j] >= 0)
+        second = second + v[at[i]] * v[at[j]] * Vec2{jet[0].second(i, j), jet[1].second(i, j)};
+  }
+  work.places[g] = {jet[0].value, jet[1].value};
+  work.rates[g] = rate;
+  work.seconds[g] = second;
+}
+
+void HermiteMotionPort::add_forces(const Vec2* forces, MemberWork& work, double* residual) const {
+  for (std::size_t g = 0; g < points_.size(); ++g) {
+    const Unknowns* jet = jets(work, g);
     const auto at = still_.places(places_[g].element);
     for (std::size_t i = 0; i < at.size(); ++i)
       if (at[i] >= 0)
-        slope[static_cast<std::size_t>(at[i]) - points_[g].first] = {jet[0].gradient[i],
-                                                                     jet[1].gradient[i]};
+        residual[at[i]] += forces[g].x * jet[0].gradient[i] + forces[g].y * jet[1].gradient[i];
   }
-  return answer;
 }
 
 void HermiteMotionPort::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
                                   const Vec2* weights, MemberWork& work) const {
   const BandLayout rows = layout();
-  std::copy_n(work.scratch.begin(), work.tangent.size(), work.tangent.begin());
-  if (!weights) return;
-  for (std::size_t g = 0; g < points_.size(); ++g) {
+  const auto size = static_cast<std::ptrdiff_t>(work.tangent.size());
+  std::copy(work.scratch.begin(), work.scratch.begin() + size, work.tangent.begin());
+  Vec2* slope = work.slopes.data();
+  for (std::size_t g = 0; g < points_.size(); slope += points_[g].count, ++g) {
     const Unknowns* jet = jets(work, g);
     const auto at = still_.places(places_[g].element);
-    for (std::size_t i = 0; i < at.size(); ++i)
-      for (std::size_t j = 0; j < at.size(); ++j)
-        if (at[i] >= 0 && at[j] >= 0 && at[j] <= at[i])
+    std::fill_n(slope, points_[g].count, Vec2{});
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (at[i] < 0) continue;
+      slope[static_cast<std::size_t>(at[i]) - points_[g].first] = {jet[0].gradient[i],
+                                                                   jet[1].gradient[i]};
+      for (std::size_t j = 0; weights && j < at.size(); ++j)
+        if (at[j] >= 0 && at[j] <= at[i])
           rows.row(work.tangent.data(), static_cast<std::size_t>(at[i]))[at[j]] +=
               weights[g].x * jet[0].second(i, j) + weights[g].y * jet[1].second(i, j);
-  }
-}
-
-void HermiteMotionPort::add_curvature(const double* /*y*/, const double* rate, MemberWork& work,
-                                      Vec2* curvature) const {
-  for (std::size_t g = 0; g < points_.size(); ++g) {
-    const Unknowns* jet = jets(work, g);
-    const auto at = still_.places(places_[g].element);
-    for (std::size_t i = 0; i < at.size(); ++i)
-      for (std::size_t j = 0; j < at.size(); ++j)
-        if (at[i] >= 0 && at[j] >= 0)
-          curvature[g] = curvature[g] +
-                         rate[at[i]] * rate[at[j]] * Vec2{jet[0].second(i, j), jet[1].second(i, j)};
+    }
   }
 }
 

@@ -20,54 +20,57 @@ auto HermiteBeamPort::to_first_order(PlaceJets jets,
   return jets;
 }
 
-/// What the element's own axis lacks to the true one, of sixth order in its length, keeps its
-/// direction.
-auto HermiteBeamPort::place_at(std::size_t index, double x, const double* y) const -> PlaceJets {
+auto HermiteBeamPort::element_jets(std::size_t index, const double* y) const -> ElementJets {
   const Element& element = elements_[index];
-  const double l = element.length;
   const auto u = gather(index, is_linear() ? rest_.data() : y);
-  const Deformed p = deform(element, u);
-  const Unknowns ux = Unknowns::variable(0, u[0]), uy = Unknowns::variable(1, u[1]);
-  const Unknowns cx =
-      length_ * (Unknowns::variable(4, u[4]) - ux) + Unknowns(l * element.direction.x);
-  const Unknowns cy =
-      length_ * (Unknowns::variable(5, u[5]) - uy) + Unknowns(l * element.direction.y);
-  const QuinticShape n = quintic_shape(x);
-  const auto graph = [&](const auto& slope0, const auto& slope1, const auto& bend0,
-                         const auto& bend1) {
-    return l * (n.value[0] * slope0 + n.value[1] * slope1) +
-           l * l * (n.value[2] * bend0 + n.value[3] * bend1);
-  };
-  const Unknowns w = graph(p[slope_a] + p[shear], p[slope_b] + p[shear], p[bend_a], p[bend_b]) *
-                     inverse(p[elongation] + l);
-  const double drawn_w =
-      graph(element.slopes[0], element.slopes[1], element.bends[0], element.bends[1]);
-  const double arc = length_ / static_cast<double>(elements());
-  const Vec2 own = element.start + x * l * element.direction + drawn_w * perp(element.direction);
-  const double s = std::min(length_, arc * (static_cast<double>(index) + x));
-  const Vec2 base = element.start + flexure_.axis.position(s) - flexure_.axis.position(0.0) - own;
-  const PlaceJets place{length_ * ux + x * cx - w * cy + base.x,
-                        length_ * uy + x * cy + w * cx + base.y};
-  return is_linear() ? to_first_order(place, gather(index, y)) : place;
+  ElementJets jets;
+  jets.index = index;
+  jets.at = gather(index, y);
+  jets.deformed = deform(element, u);
+  jets.x = length_ * Unknowns::variable(0, u[0]);
+  jets.y = length_ * Unknowns::variable(1, u[1]);
+  jets.along =
+      length_ * Unknowns::variable(4, u[4]) - jets.x + element.length * element.direction.x;
+  jets.beside =
+      length_ * Unknowns::variable(5, u[5]) - jets.y + element.length * element.direction.y;
+  jets.shortness = inverse(jets.deformed[elongation] + element.length);
+  return jets;
 }
 
-auto HermiteBeamPort::direction_at(std::size_t index, double x, const double* y,
-                                   bool along_axis) const -> PlaceJets {
-  const Element& element = elements_[index];
+/// What the element's own axis lacks to the true one, of sixth order in its length, keeps its
+/// direction.
+auto HermiteBeamPort::place_at(const ElementJets& jets, double x) const -> PlaceJets {
+  const Element& element = elements_[jets.index];
   const double l = element.length;
-  const auto u = gather(index, is_linear() ? rest_.data() : y);
-  const Deformed p = deform(element, u);
-  const Unknowns cx = length_ * (Unknowns::variable(4, u[4]) - Unknowns::variable(0, u[0])) +
-                      Unknowns(l * element.direction.x);
-  const Unknowns cy = length_ * (Unknowns::variable(5, u[5]) - Unknowns::variable(1, u[1])) +
-                      Unknowns(l * element.direction.y);
+  const Deformed& p = jets.deformed;
   const QuinticShape n = quintic_shape(x);
-  Unknowns slope = n.slope[0] * (p[slope_a] + p[shear]) + n.slope[1] * (p[slope_b] + p[shear]) +
-                   l * (n.slope[2] * p[bend_a] + n.slope[3] * p[bend_b]);
-  if (!along_axis) slope = slope - p[shear];
-  const Unknowns size = inverse(sqrt((cx * cx + cy * cy) * (1.0 + slope * slope)));
-  const PlaceJets direction{(cx - slope * cy) * size, (cy + slope * cx) * size};
-  return is_linear() ? to_first_order(direction, gather(index, y)) : direction;
+  const double ends = n.value[0] + n.value[1];
+  const Unknowns w = (l * (n.value[0] * p[slope_a] + n.value[1] * p[slope_b] + ends * p[shear]) +
+                      l * l * (n.value[2] * p[bend_a] + n.value[3] * p[bend_b])) *
+                     jets.shortness;
+  const double drawn_w = l * (n.value[0] * element.slopes[0] + n.value[1] * element.slopes[1]) +
+                         l * l * (n.value[2] * element.bends[0] + n.value[3] * element.bends[1]);
+  const double arc = length_ / static_cast<double>(elements());
+  const Vec2 own = element.start + x * l * element.direction + drawn_w * perp(element.direction);
+  const double s = std::min(length_, arc * (static_cast<double>(jets.index) + x));
+  const Vec2 base = element.start + flexure_.axis.position(s) - flexure_.axis.position(0.0) - own;
+  const PlaceJets place{jets.x + x * jets.along - w * jets.beside + base.x,
+                        jets.y + x * jets.beside + w * jets.along + base.y};
+  return is_linear() ? to_first_order(place, jets.at) : place;
+}
+
+auto HermiteBeamPort::direction_at(const ElementJets& jets, double x, bool along_axis) const
+    -> PlaceJets {
+  const double l = elements_[jets.index].length;
+  const Deformed& p = jets.deformed;
+  const QuinticShape n = quintic_shape(x);
+  const double ends = n.slope[0] + n.slope[1] - (along_axis ? 0.0 : 1.0);
+  const Unknowns slope = n.slope[0] * p[slope_a] + n.slope[1] * p[slope_b] + ends * p[shear] +
+                         l * (n.slope[2] * p[bend_a] + n.slope[3] * p[bend_b]);
+  const Unknowns size = jets.shortness * inverse(sqrt(1.0 + slope * slope));
+  const PlaceJets direction{(jets.along - slope * jets.beside) * size,
+                            (jets.beside + slope * jets.along) * size};
+  return is_linear() ? to_first_order(direction, jets.at) : direction;
 }
 
 std::vector<double> HermiteBeamPort::weights() const {

@@ -21,7 +21,9 @@ class CompliantMotionPort final : public MotionPort {
   BandLayout layout() const override { return dense_layout(internal_size()); }
   const std::vector<MassPoint>& points() const override { return points_; }
   std::size_t scratch_size() const override { return 0; }
-  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override;
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
+                  MemberWork& work) const override;
+  void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override;
   void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
                  MemberWork& work) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override;
@@ -139,6 +141,7 @@ void CompliantMotionPort::add_point(double s, double weight) {
 
 /// 1/2 sum k y^2 less the tip's load times displacement; heat displaces the tip without energy.
 MotionPort::Answer CompliantMotionPort::evaluate(const Eigen::Vector3d& load, const double* y,
+                                                 const double* v, const double* a,
                                                  MemberWork& work) const {
   const std::size_t m = internal_size();
   Answer answer{0.0, {from_base_.x, from_base_.y, 0.0}};
@@ -151,12 +154,27 @@ MotionPort::Answer CompliantMotionPort::evaluate(const Eigen::Vector3d& load, co
     column[0] = stiffness_[i] * elastic - load.dot(shape);
     for (int c = 0; c < 3; ++c) column[c + 1] = -shape[c];
   }
-  work.places = drawn_;
-  work.slopes = slopes_;
+  const Vec2* slope = slopes_.data();
+  for (std::size_t g = 0; g < points_.size(); ++g) {
+    Vec2 place = drawn_[g], rate, second;
+    for (std::size_t i = 0; i < m; ++i, ++slope) {
+      place = place + y[i] * *slope;
+      rate = rate + v[i] * *slope;
+      second = second + a[i] * *slope;
+    }
+    work.places[g] = place;
+    work.rates[g] = rate;
+    work.seconds[g] = second;
+  }
+  return answer;
+}
+
+void CompliantMotionPort::add_forces(const Vec2* forces, MemberWork& /*work*/,
+                                     double* residual) const {
   const Vec2* slope = slopes_.data();
   for (std::size_t g = 0; g < points_.size(); ++g)
-    for (std::size_t i = 0; i < m; ++i, ++slope) work.places[g] = work.places[g] + y[i] * *slope;
-  return answer;
+    for (std::size_t i = 0; i < internal_size(); ++i, ++slope)
+      residual[i] += dot(forces[g], *slope);
 }
 
 void CompliantMotionPort::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
@@ -164,6 +182,7 @@ void CompliantMotionPort::linearize(const Eigen::Vector3d& /*load*/, const doubl
   const std::size_t m = internal_size();
   std::fill(work.tangent.begin(), work.tangent.end(), 0.0);
   for (std::size_t i = 0; i < m; ++i) work.tangent[i * m + i] = stiffness_[i];
+  work.slopes = slopes_;
 }
 
 /// As a load on the tip alone would bend it.

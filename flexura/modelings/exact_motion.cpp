@@ -28,16 +28,16 @@ class ExactMotionPort final : public MotionPort {
   const std::vector<MassPoint>& points() const override { return motion_.chain().points; }
   std::size_t scratch_size() const override { return motion_.scratch_size(); }
   std::vector<double> weights() const override { return motion_.chain().weights; }
-  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override {
-    return motion_.evaluate(load, y, work);
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
+                  MemberWork& work) const override {
+    return motion_.evaluate(load, y, v, a, work);
+  }
+  void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override {
+    motion_.add_forces(forces, work, residual);
   }
   void linearize(const Eigen::Vector3d& load, const double* /*y*/, const Vec2* weights,
                  MemberWork& work) const override {
     motion_.linearize(load, weights, work);
-  }
-  void add_curvature(const double* /*y*/, const double* rate, MemberWork& work,
-                     Vec2* curvature) const override {
-    motion_.add_curvature(rate, work, curvature);
   }
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override;
   std::vector<double> adopt(std::span<const SectionState> sections,
@@ -63,7 +63,7 @@ class ExactMotionPort final : public MotionPort {
   }
   AngleChain make_chain() const;
   void add_forces(AngleChain& chain) const;
-  void add_force_rows(AngleChain& chain, std::vector<double>& rows, std::size_t first,
+  void add_force_rows(AngleChain& chain, AngleChain::Rows& rows, std::size_t first,
                       bool axial) const;
   void add_mass_points(AngleChain& chain, std::size_t per_interval) const;
   /// Moment, axial and shear force at s.
@@ -99,13 +99,13 @@ AngleChain ExactMotionPort::make_chain() const {
   AngleChain chain;
   chain.unknowns = n + (stretches() ? forces : 0) + (shears() ? forces : 0);
   const std::size_t m = chain.unknowns;
-  chain.turns.assign(arms * m, 0.0);
+  chain.turns = {0, n, {}};
   for (std::size_t h = 0; h < arms; ++h) {
     chain.arms.push_back(
         {field.weights[h], field.angles[h], 1.0 + flexure_.field.strain, field.places[h]});
-    std::copy_n(field.turns.begin() + static_cast<std::ptrdiff_t>(h * n), n,
-                chain.turns.begin() + static_cast<std::ptrdiff_t>(h * m));
   }
+  chain.turns.values.assign(field.turns.begin(),
+                            field.turns.begin() + static_cast<std::ptrdiff_t>(arms * n));
   for (std::size_t h = 0; h <= arms; h += per_interval) chain.intervals.push_back(h);
   chain.stiffness.assign(m * m, 0.0);
   for (std::size_t i = 0; i < n; ++i)
@@ -131,11 +131,12 @@ void ExactMotionPort::add_forces(AngleChain& chain) const {
 }
 
 /// Strains by the modes of a force, and the modes' energies.
-void ExactMotionPort::add_force_rows(AngleChain& chain, std::vector<double>& rows,
-                                     std::size_t first, bool axial) const {
+void ExactMotionPort::add_force_rows(AngleChain& chain, AngleChain::Rows& rows, std::size_t first,
+                                     bool axial) const {
   const std::size_t m = chain.unknowns;
   const std::size_t per = forces_per_piece();
-  rows.assign(chain.arms.size() * m, 0.0);
+  const std::size_t count = pieces_.pieces() * per;
+  rows = {first, count, std::vector<double>(chain.arms.size() * count, 0.0)};
   std::vector<double> legendre(per);
   for (std::size_t h = 0; h < chain.arms.size(); ++h) {
     const std::size_t piece = piece_at(chain.arms[h].s);
@@ -145,7 +146,7 @@ void ExactMotionPort::add_force_rows(AngleChain& chain, std::vector<double>& row
     const std::size_t own = first + piece * per;
     for (std::size_t i = 0; i < per; ++i) {
       const double strain = compliance * unit_force() * legendre[i];
-      rows[h * m + own + i] = strain;
+      rows.values[h * count + piece * per + i] = strain;
       for (std::size_t j = 0; j < per; ++j)
         chain.stiffness[(own + i) * m + own + j] +=
             chain.arms[h].weight * strain * unit_force() * legendre[j];

@@ -35,11 +35,11 @@ class LagrangeMotionPort final : public MotionPort {
   BandLayout layout() const override { return band_layout(internal_size(), still_.width()); }
   const std::vector<MassPoint>& points() const override { return points_; }
   std::size_t scratch_size() const override { return internal_size() * (still_.width() + 1); }
-  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override;
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
+                  MemberWork& work) const override;
+  void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override;
   void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
                  MemberWork& work) const override;
-  void add_curvature(const double* y, const double* rate, MemberWork& work,
-                     Vec2* curvature) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override;
   std::vector<double> adopt(std::span<const SectionState> /*sections*/,
                             std::span<const double> internal) const override {
@@ -140,7 +140,8 @@ void LagrangeMotionPort<Density>::add_points(std::size_t element, double x, doub
 
 template <class Density>
 MotionPort::Answer LagrangeMotionPort<Density>::evaluate(const Eigen::Vector3d& load,
-                                                         const double* y, MemberWork& work) const {
+                                                         const double* y, const double* v,
+                                                         const double* a, MemberWork& work) const {
   const std::size_t m = internal_size();
   const double length = mesh().length;
   Answer answer;
@@ -153,44 +154,70 @@ MotionPort::Answer LagrangeMotionPort<Density>::evaluate(const Eigen::Vector3d& 
     work.columns[4 * (m - 3 + c)] -= lever[c] * load[static_cast<Eigen::Index>(c)];
     work.columns[4 * (m - 3 + c) + c + 1] = -lever[c];
   }
-  Vec2* slope = work.slopes.data();
   for (std::size_t g = 0; g < shapes_.size(); ++g) {
     const Shape& shape = shapes_[g];
-    const double* node = y + 3 * shape.first_node;
+    const std::size_t first = 3 * shape.first_node;
+    const auto moved = [&](const double* x) {
+      Vec2 sum;
+      for (std::size_t k = 0; k < shape.values.size(); ++k)
+        sum = sum + length * shape.values[k] * Vec2{x[first + 3 * k], x[first + 3 * k + 1]};
+      return sum;
+    };
+    const auto turned = [&](const double* x) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < shape.values.size(); ++k)
+        sum += shape.values[k] * x[first + 3 * k + 2];
+      return sum;
+    };
     if (shape.turns) {
-      double turn = shape.angle;
-      for (std::size_t a = 0; a < shape.values.size(); ++a)
-        turn += shape.values[a] * node[3 * a + 2];
-      work.places[g] = unit(turn);
-      for (const double value : shape.values) {
-        *slope++ = {};
-        *slope++ = {};
-        *slope++ = value * perp(work.places[g]);
-      }
-      continue;
+      const Vec2 here = unit(shape.angle + turned(y));
+      const double spin = turned(v);
+      work.places[g] = here;
+      work.rates[g] = spin * perp(here);
+      work.seconds[g] = turned(a) * perp(here) - spin * spin * here;
+    } else {
+      work.places[g] = shape.drawn + moved(y);
+      work.rates[g] = moved(v);
+      work.seconds[g] = moved(a);
     }
-    Vec2 moved = shape.drawn;
-    for (std::size_t a = 0; a < shape.values.size(); ++a) {
-      const double value = length * shape.values[a];
-      moved = moved + value * Vec2{node[3 * a], node[3 * a + 1]};
-      *slope++ = {value, 0.0};
-      *slope++ = {0.0, value};
-      *slope++ = {};
-    }
-    work.places[g] = moved;
   }
   return answer;
+}
+
+template <class Density>
+void LagrangeMotionPort<Density>::add_forces(const Vec2* forces, MemberWork& work,
+                                             double* residual) const {
+  for (std::size_t g = 0; g < shapes_.size(); ++g) {
+    const Shape& shape = shapes_[g];
+    double* node = residual + 3 * shape.first_node;
+    const double torque = shape.turns ? cross(work.places[g], forces[g]) : 0.0;
+    for (const double value : shape.values) {
+      if (shape.turns) {
+        node[2] += value * torque;
+      } else {
+        node[0] += mesh().length * value * forces[g].x;
+        node[1] += mesh().length * value * forces[g].y;
+      }
+      node += 3;
+    }
+  }
 }
 
 template <class Density>
 void LagrangeMotionPort<Density>::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
                                             const Vec2* weights, MemberWork& work) const {
   std::copy(work.scratch.begin(), work.scratch.end(), work.tangent.begin());
-  if (!weights) return;
   const BandLayout rows = layout();
+  Vec2* slope = work.slopes.data();
   for (std::size_t g = 0; g < shapes_.size(); ++g) {
     const Shape& shape = shapes_[g];
-    if (!shape.turns) continue;
+    for (const double value : shape.values) {
+      const double along = shape.turns ? 0.0 : mesh().length * value;
+      *slope++ = {along, 0.0};
+      *slope++ = {0.0, along};
+      *slope++ = shape.turns ? value * perp(work.places[g]) : Vec2{};
+    }
+    if (!shape.turns || !weights) continue;
     const double factor = -dot(weights[g], work.places[g]);
     for (std::size_t a = 0; a < shape.values.size(); ++a) {
       const std::size_t i = 3 * (shape.first_node + a) + 2;
@@ -198,19 +225,6 @@ void LagrangeMotionPort<Density>::linearize(const Eigen::Vector3d& /*load*/, con
         rows.row(work.tangent.data(), i)[3 * (shape.first_node + b) + 2] +=
             factor * shape.values[a] * shape.values[b];
     }
-  }
-}
-
-template <class Density>
-void LagrangeMotionPort<Density>::add_curvature(const double* /*y*/, const double* rate,
-                                                MemberWork& work, Vec2* curvature) const {
-  for (std::size_t g = 0; g < shapes_.size(); ++g) {
-    const Shape& shape = shapes_[g];
-    if (!shape.turns) continue;
-    double spin = 0.0;
-    for (std::size_t a = 0; a < shape.values.size(); ++a)
-      spin += shape.values[a] * rate[3 * (shape.first_node + a) + 2];
-    curvature[g] = curvature[g] - spin * spin * work.places[g];
   }
 }
 

@@ -25,16 +25,16 @@ class PrbmMotionPort final : public MotionPort {
   BandLayout layout() const override { return dense_layout(internal_size()); }
   const std::vector<MassPoint>& points() const override { return motion_.chain().points; }
   std::size_t scratch_size() const override { return motion_.scratch_size(); }
-  Answer evaluate(const Eigen::Vector3d& load, const double* y, MemberWork& work) const override {
-    return motion_.evaluate(load, y, work);
+  Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
+                  MemberWork& work) const override {
+    return motion_.evaluate(load, y, v, a, work);
+  }
+  void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override {
+    motion_.add_forces(forces, work, residual);
   }
   void linearize(const Eigen::Vector3d& load, const double* /*y*/, const Vec2* weights,
                  MemberWork& work) const override {
     motion_.linearize(load, weights, work);
-  }
-  void add_curvature(const double* /*y*/, const double* rate, MemberWork& work,
-                     Vec2* curvature) const override {
-    motion_.add_curvature(rate, work, curvature);
   }
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override {
     return still_->sections(load, {y, internal_size()});
@@ -71,6 +71,7 @@ AngleChain PrbmMotionPort::make_chain(const PseudoRigidChain& rigid) const {
 
   AngleChain chain;
   chain.unknowns = n;
+  chain.turns = {0, n, {}};
   chain.stiffness.assign(n * n, 0.0);
   chain.tip_turn.assign(n, 1.0);
   chain.tip_offset = chord;
@@ -79,7 +80,7 @@ AngleChain PrbmMotionPort::make_chain(const PseudoRigidChain& rigid) const {
     const Vec2 link = vertices[segment + 1] - vertices[segment];
     chain.intervals.push_back(chain.arms.size());
     chain.arms.push_back({norm(link), std::atan2(link.y, link.x), 1.0, 0.0});
-    for (std::size_t i = 0; i < n; ++i) chain.turns.push_back(i < segment ? 1.0 : 0.0);
+    for (std::size_t i = 0; i < n; ++i) chain.turns.values.push_back(i < segment ? 1.0 : 0.0);
     chain.tip_offset = chain.tip_offset - chain.arms.back().weight * unit(chain.arms.back().angle);
     if (segment == 0) continue;
     const std::size_t joint = segment - 1;
@@ -112,7 +113,7 @@ void PrbmMotionPort::add_points(AngleChain& chain, std::size_t joint, Vec2 pivot
     chain.places.push_back({joint + 1, {norm(arm)}, chain.arms.size(), {}});
     chain.arms.push_back({0.0, std::atan2(arm.y, arm.x), 1.0, weight});
     for (std::size_t i = 0; i < chain.unknowns; ++i)
-      chain.turns.push_back(i < joint ? 1.0 : (i == joint ? part : 0.0));
+      chain.turns.values.push_back(i < joint ? 1.0 : (i == joint ? part : 0.0));
     chain.points.push_back({s, weight * inertia_.at(s).mass, false, 0, chain.unknowns,
                             weight * flexure_.field.per_length});
   }

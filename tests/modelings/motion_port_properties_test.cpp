@@ -47,7 +47,7 @@ class MotionPortProperties : public ::testing::TestWithParam<SuiteEntry> {
     return out;
   }
   MotionPort::Answer evaluate(const std::vector<double>& y, MemberWork& work) const {
-    return port().evaluate(some_load(), y.data(), work);
+    return port().evaluate(some_load(), y.data(), y.data(), y.data(), work);
   }
   double potential(const std::vector<double>& y) const {
     MemberWork work = sized_work(port());
@@ -78,7 +78,8 @@ INSTANTIATE_TEST_SUITE_P(Suite, MotionPortProperties, ::testing::ValuesIn(moving
 
 TEST_P(MotionPortProperties, RestsAsDrawn) {
   const std::vector<double> rest(size(), 0.0);
-  const MotionPort::Answer answer = port().evaluate(Eigen::Vector3d::Zero(), rest.data(), work_);
+  const MotionPort::Answer answer =
+      port().evaluate(Eigen::Vector3d::Zero(), rest.data(), rest.data(), rest.data(), work_);
   const AxisCurve axis(chain_.flexures[0].axis);
   EXPECT_NEAR(answer.energy, 0.0, 1e-14);
   for (std::size_t i = 0; i < size(); ++i) EXPECT_NEAR(work_.columns[4 * i], 0.0, 1e-11);
@@ -121,10 +122,7 @@ TEST_P(MotionPortProperties, TangentIsThatOfGradientAndPlaces) {
     Eigen::VectorXd sum(static_cast<Eigen::Index>(size()));
     for (std::size_t i = 0; i < size(); ++i)
       sum[static_cast<Eigen::Index>(i)] = work.columns[4 * i];
-    const Vec2* slope = work.slopes.data();
-    for (std::size_t g = 0; g < weights.size(); ++g)
-      for (std::size_t j = 0; j < port().points()[g].count; ++j, ++slope)
-        sum[static_cast<Eigen::Index>(port().points()[g].first + j)] += dot(weights[g], *slope);
+    port().add_forces(weights.data(), work, sum.data());
     return sum;
   };
   const double step = 1e-5;
@@ -137,28 +135,30 @@ TEST_P(MotionPortProperties, TangentIsThatOfGradientAndPlaces) {
             2e-7 * (1.0 + rate.lpNorm<Eigen::Infinity>()));
 }
 
-TEST_P(MotionPortProperties, SlopesAndCurvaturesAreThoseOfThePlaces) {
+/// Along y(t) = y + v t + a t^2/2.
+TEST_P(MotionPortProperties, RatesAndSlopesAreThoseOfThePlaces) {
   const std::vector<double> y = some_state();
-  const std::vector<double> direction = some_state(2);
-  const auto places = [&](double step) {
+  const std::vector<double> v = some_state(2);
+  const std::vector<double> a = some_state(3);
+  const auto places = [&](double t) {
     MemberWork work = sized_work(port());
-    evaluate(moved(y, direction, step), work);
+    evaluate(moved(moved(y, v, t), a, 0.5 * t * t), work);
     return work.places;
   };
   const double h = 1e-3;
   const auto before = places(-h), here = places(0.0), after = places(h);
-  evaluate(y, work_);
-  std::vector<Vec2> curvature(here.size());
-  port().add_curvature(y.data(), direction.data(), work_, curvature.data());
+  port().evaluate(some_load(), y.data(), v.data(), a.data(), work_);
+  port().linearize(some_load(), y.data(), nullptr, work_);
   const Vec2* slope = work_.slopes.data();
   for (std::size_t g = 0; g < here.size(); ++g) {
     Vec2 rate;
     const MassPoint& point = port().points()[g];
     for (std::size_t j = 0; j < point.count; ++j, ++slope)
-      rate = rate + direction[point.first + j] * *slope;
+      rate = rate + v[point.first + j] * *slope;
+    EXPECT_LT(norm(rate - work_.rates[g]), 1e-12) << g;
     EXPECT_LT(norm(rate - (0.5 / h) * (after[g] - before[g])), 1e-6) << g;
     const Vec2 second = (1.0 / (h * h)) * (after[g] - 2.0 * here[g] + before[g]);
-    EXPECT_LT(norm(second - curvature[g]), 1e-6 * (1.0 + norm(second))) << g;
+    EXPECT_LT(norm(second - work_.seconds[g]), 1e-6 * (1.0 + norm(second))) << g;
   }
 }
 
@@ -211,8 +211,10 @@ TEST_P(MotionPortProperties, RefinesToTheSameState) {
   std::vector<double> fine(finer->internal_size());
   port().prolong(y, fine);
   MemberWork work = sized_work(*finer);
-  const MotionPort::Answer a = port().evaluate(Eigen::Vector3d::Zero(), y.data(), work_);
-  const MotionPort::Answer b = finer->evaluate(Eigen::Vector3d::Zero(), fine.data(), work);
+  const MotionPort::Answer a =
+      port().evaluate(Eigen::Vector3d::Zero(), y.data(), y.data(), y.data(), work_);
+  const MotionPort::Answer b =
+      finer->evaluate(Eigen::Vector3d::Zero(), fine.data(), fine.data(), fine.data(), work);
   EXPECT_LT((a.tip - b.tip).norm(), 1e-9);
 }
 
