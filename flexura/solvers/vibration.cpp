@@ -4,30 +4,57 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace flexura {
 namespace {
 
-constexpr double regular = 1e-11;  // least over largest pivot
+/// K + shift M with the constraints around it, rows and columns scaled to entries of order one.
+struct Bordered {
+  Bordered(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
+           const Eigen::MatrixXd& constraints, double shift) {
+    const Eigen::Index n = stiffness.rows();
+    const Eigen::Index m = constraints.rows();
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
+    matrix.topLeftCorner(n, n) = stiffness + shift * mass;
+    matrix.bottomLeftCorner(m, n) = constraints;
+    matrix.topRightCorner(n, m) = constraints.transpose();
+    scale = Eigen::VectorXd::Ones(n + m);
+    for (int pass = 0; pass < 3; ++pass) {
+      const Eigen::VectorXd largest = matrix.cwiseAbs().rowwise().maxCoeff().cwiseMax(1e-300);
+      const Eigen::VectorXd by = largest.cwiseSqrt().cwiseInverse();
+      matrix = by.asDiagonal() * matrix * by.asDiagonal();
+      scale.array() *= by.array();
+    }
+    factor.compute(matrix);
+  }
+  bool is_regular() const { return factor.rcond() > 1e-15; }
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const {
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(scale.size(), b.cols());
+    whole.topRows(b.rows()) = b;
+    whole = scale.asDiagonal() * factor.solve(scale.asDiagonal() * whole);
+    return whole.topRows(b.rows());
+  }
 
-/// Cholesky's pivots tell whether the matrix is positive definite, and how safely.
-bool is_positive(const Eigen::MatrixXd& matrix) {
-  const Eigen::VectorXd scale = matrix.diagonal().cwiseAbs().cwiseSqrt().cwiseMax(1e-300);
-  const Eigen::MatrixXd unit =
-      scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
-  const Eigen::LLT<Eigen::MatrixXd> factor(unit);
-  if (factor.info() != Eigen::Success) return false;
-  const Eigen::VectorXd pivots = Eigen::MatrixXd(factor.matrixL()).diagonal();
-  return pivots.size() == 0 || pivots.minCoeff() > std::sqrt(regular) * pivots.maxCoeff();
-}
+  Eigen::VectorXd scale;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factor;
+};
 
-/// Orthonormal basis of what the constraints leave.
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& constraints) {
-  const Eigen::Index n = constraints.cols();
-  if (constraints.rows() == 0) return Eigen::MatrixXd::Identity(n, n);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(constraints.transpose());
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(n, n);
-  return q.rightCols(n - qr.rank());
+/// B of M = B^T B, what has no mass left out.
+Eigen::MatrixXd mass_root(const Eigen::MatrixXd& mass) {
+  const Eigen::VectorXd size = mass.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::VectorXd by = (size.array() > 0.0).select(size.cwiseInverse(), 0.0);
+  const Eigen::LDLT<Eigen::MatrixXd> factor(by.asDiagonal() * mass * by.asDiagonal());
+  const Eigen::MatrixXd sized = size.asDiagonal();
+  const Eigen::MatrixXd permuted = factor.transpositionsP() * sized;
+  const Eigen::MatrixXd upper = factor.matrixU();
+  const Eigen::VectorXd pivots = factor.vectorD().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::MatrixXd whole = pivots.asDiagonal() * (upper * permuted);
+  // pivots descend: what has no mass comes last
+  Eigen::Index rank = 0;
+  while (rank < whole.rows() && factor.vectorD()[rank] > 1e-15) ++rank;
+  return whole.topRows(rank);
 }
 
 void normalize(Vibrations& modes, const Eigen::VectorXd& squared_sizes) {
@@ -63,35 +90,35 @@ struct MassProduct {
 Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
                             const Eigen::MatrixXd& constraints, int count) {
   Vibrations modes;
-  const Eigen::MatrixXd basis = null_space(constraints);
-  const Eigen::MatrixXd k = basis.transpose() * stiffness * basis;
-  const Eigen::MatrixXd m = basis.transpose() * mass * basis;
-  if (basis.cols() == 0) {
-    modes.found = true;
-    return modes;
-  }
-  const double unit = k.trace() / std::max(m.trace(), 1e-300);
+  const Eigen::MatrixXd root = mass_root(mass);
+  const double unit = stiffness.trace() / std::max(mass.trace(), 1e-300);
   double shift = 0.0;
-  for (double share = 1e-14; !is_positive(k + shift * m); share *= 10.0) {
-    if (share > 1e3) return modes;
-    shift = share * unit;
+  Bordered bordered(stiffness, mass, constraints, shift);
+  for (double share = 1e-14; !bordered.is_regular(); share *= 10.0) {
+    if (share > 1e3 || root.rows() == 0) return modes;
+    shift = share * std::abs(unit);
+    bordered = Bordered(stiffness, mass, constraints, shift);
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(m, k + shift * m);
+  const Eigen::MatrixXd moved = bordered.solve(root.transpose());
+  const Eigen::MatrixXd inverse = root * moved;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (inverse + inverse.transpose()));
   if (eigen.info() != Eigen::Success) return modes;
-  // theta ascends: the lowest frequencies come last, what has no mass first
-  const double largest = eigen.eigenvalues().tail(1)[0];
-  const Eigen::Index n = basis.cols();
-  Eigen::Index wanted = 0;
-  while (wanted < std::min<Eigen::Index>(count, n) &&
-         eigen.eigenvalues()[n - 1 - wanted] > 1e-13 * largest)
-    ++wanted;
+  const Eigen::VectorXd& theta = eigen.eigenvalues();  // 1/(square + shift)
+  const double largest = theta.cwiseAbs().maxCoeff();
+  std::vector<std::pair<double, Eigen::Index>> found;
+  for (Eigen::Index i = 0; i < theta.size(); ++i) {
+    if (!(std::abs(theta[i]) > 1e-13 * largest)) continue;
+    const double square = 1.0 / theta[i] - shift;
+    found.emplace_back(std::abs(square) < 1e-9 * shift ? 0.0 : square, i);
+  }
+  std::sort(found.begin(), found.end());
+  const auto wanted = std::min<Eigen::Index>(count, static_cast<Eigen::Index>(found.size()));
   modes.squares.resize(wanted);
-  modes.shapes.resize(basis.rows(), wanted);
-  for (Eigen::Index i = 0; i < wanted; ++i) {
-    const double theta = eigen.eigenvalues()[n - 1 - i];
-    modes.squares[i] = 1.0 / theta - shift;
-    if (std::abs(modes.squares[i]) < 1e-9 * shift) modes.squares[i] = 0.0;
-    modes.shapes.col(i) = basis * eigen.eigenvectors().col(n - 1 - i);
+  modes.shapes.resize(mass.rows(), wanted);
+  for (Eigen::Index k = 0; k < wanted; ++k) {
+    const auto [square, i] = found[static_cast<std::size_t>(k)];
+    modes.squares[k] = square;
+    modes.shapes.col(k) = moved * eigen.eigenvectors().col(i);
   }
   normalize(modes, (modes.shapes.transpose() * mass * modes.shapes).diagonal());
   modes.found = true;

@@ -11,9 +11,9 @@ struct Vibrations {
   bool found = false;
 };
 
-/// The `count` lowest by a dense solver. `mass` may be semidefinite. K and M are symmetric. On a
-/// basis of the null space of G it solves M v = theta (K + shift M) v with a shift that makes the
-/// right-hand matrix positive definite: none for a stable mechanism.
+/// The `count` lowest by a dense solver. K and M are symmetric, M positive semidefinite. With M =
+/// B^T B and A = [K + shift M, G^T; G, 0], the eigenvalues of the symmetric B (A^-1) B^T are
+/// 1/(square + shift); the shift is zero unless A is then singular.
 Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
                             const Eigen::MatrixXd& constraints, int count);
 
