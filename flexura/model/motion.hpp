@@ -87,7 +87,7 @@ struct TransientStudy {
   std::optional<StudyState> from;  ///< where it starts; none: at rest as drawn
   double duration = 0.0;
   std::optional<double> step = {};  ///< fixed; without it steps follow `tolerance`
-  double tolerance = 1e-6;          ///< per step, of displacements in mean flexure lengths
+  double tolerance = 1e-5;          ///< per step, of displacements in mean flexure lengths
   Method method = Method::radau;
   double spectral_radius = 0.8;  ///< of generalized-alpha at infinite frequency
   int outputs = 200;             ///< equal intervals of time that are recorded

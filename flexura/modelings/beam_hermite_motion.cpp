@@ -63,6 +63,20 @@ class HermiteMotionPort final : public MotionPort {
            2 * g;
   }
   void add_points(std::size_t element, double x, double weight);
+  /// By the linear theory all matrices are those of the drawn state.
+  struct Drawn {
+    double energy = 0.0;
+    std::vector<double> gradient;
+    std::vector<double> band;
+    std::vector<Vec2> places;
+    std::vector<Vec2> slopes;
+  };
+  void keep_drawn();
+  Answer evaluate_linear(const Eigen::Vector3d& load, const double* y, const double* v,
+                         const double* a, MemberWork& work) const;
+  Answer evaluate_jets(const Eigen::Vector3d& load, const double* y, const double* v,
+                       const double* a, MemberWork& work) const;
+  void copy_slopes(MemberWork& work) const;
   void move_point(std::size_t g, const double* v, const double* a, MemberWork& work) const;
 
   FlexureProperties flexure_;
@@ -71,6 +85,7 @@ class HermiteMotionPort final : public MotionPort {
   HermiteBeamPort still_;
   std::vector<Place> places_;
   std::vector<MassPoint> points_;
+  Drawn drawn_;
 };
 
 HermiteMotionPort::HermiteMotionPort(const FlexureProperties& flexure,
@@ -81,6 +96,47 @@ HermiteMotionPort::HermiteMotionPort(const FlexureProperties& flexure,
   for (std::size_t e = 0; e < elements; ++e)
     for (std::size_t g = 0; g < rule.nodes.size(); ++g)
       add_points(e, 0.5 * (1.0 + rule.nodes[g]), 0.5 * rule.weights[g]);
+  if (still_.is_linear()) keep_drawn();
+}
+
+void HermiteMotionPort::keep_drawn() {
+  MemberWork work = sized_work(*this);
+  const std::vector<double> rest(internal_size(), 0.0);
+  drawn_.energy =
+      evaluate_jets(Eigen::Vector3d::Zero(), rest.data(), rest.data(), rest.data(), work).energy;
+  for (std::size_t i = 0; i < internal_size(); ++i) drawn_.gradient.push_back(work.columns[4 * i]);
+  copy_slopes(work);
+  drawn_.band.assign(work.scratch.begin(),
+                     work.scratch.begin() + static_cast<std::ptrdiff_t>(work.tangent.size()));
+  drawn_.places = work.places;
+  drawn_.slopes = work.slopes;
+}
+
+MotionPort::Answer HermiteMotionPort::evaluate_linear(const Eigen::Vector3d& load, const double* y,
+                                                      const double* v, const double* a,
+                                                      MemberWork& work) const {
+  Answer answer{drawn_.energy};
+  std::fill(work.columns.begin(), work.columns.end(), 0.0);
+  double* product = work.scratch.data();
+  multiply_symmetric(drawn_.band.data(), layout(), y, product);
+  for (std::size_t i = 0; i < internal_size(); ++i) {
+    answer.energy += (0.5 * product[i] + drawn_.gradient[i]) * y[i];
+    work.columns[4 * i] = product[i] + drawn_.gradient[i];
+  }
+  answer.tip = still_.add_tip_load(load, y, work.columns.data());
+  const Vec2* slope = drawn_.slopes.data();
+  for (std::size_t g = 0; g < points_.size(); ++g) {
+    Vec2 place = drawn_.places[g], rate, second;
+    for (std::size_t j = points_[g].first; j < points_[g].first + points_[g].count; ++j, ++slope) {
+      place = place + y[j] * *slope;
+      rate = rate + v[j] * *slope;
+      second = second + a[j] * *slope;
+    }
+    work.places[g] = place;
+    work.rates[g] = rate;
+    work.seconds[g] = second;
+  }
+  return answer;
 }
 
 void HermiteMotionPort::add_points(std::size_t element, double x, double weight) {
@@ -105,6 +161,13 @@ void HermiteMotionPort::add_points(std::size_t element, double x, double weight)
 MotionPort::Answer HermiteMotionPort::evaluate(const Eigen::Vector3d& load, const double* y,
                                                const double* v, const double* a,
                                                MemberWork& work) const {
+  return still_.is_linear() ? evaluate_linear(load, y, v, a, work)
+                            : evaluate_jets(load, y, v, a, work);
+}
+
+MotionPort::Answer HermiteMotionPort::evaluate_jets(const Eigen::Vector3d& load, const double* y,
+                                                    const double* v, const double* a,
+                                                    MemberWork& work) const {
   Answer answer;
   answer.energy =
       still_.assemble(y, work.columns.data(), work.scratch.data(), flexure_.field.strain);
@@ -147,6 +210,13 @@ void HermiteMotionPort::move_point(std::size_t g, const double* v, const double*
 }
 
 void HermiteMotionPort::add_forces(const Vec2* forces, MemberWork& work, double* residual) const {
+  if (still_.is_linear()) {
+    const Vec2* slope = drawn_.slopes.data();
+    for (std::size_t g = 0; g < points_.size(); ++g)
+      for (std::size_t j = 0; j < points_[g].count; ++j, ++slope)
+        residual[points_[g].first + j] += dot(forces[g], *slope);
+    return;
+  }
   for (std::size_t g = 0; g < points_.size(); ++g) {
     const Unknowns* jet = jets(work, g);
     const auto at = still_.places(places_[g].element);
@@ -156,25 +226,38 @@ void HermiteMotionPort::add_forces(const Vec2* forces, MemberWork& work, double*
   }
 }
 
-void HermiteMotionPort::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
-                                  const Vec2* weights, MemberWork& work) const {
-  const BandLayout rows = layout();
-  const auto size = static_cast<std::ptrdiff_t>(work.tangent.size());
-  std::copy(work.scratch.begin(), work.scratch.begin() + size, work.tangent.begin());
+void HermiteMotionPort::copy_slopes(MemberWork& work) const {
   Vec2* slope = work.slopes.data();
   for (std::size_t g = 0; g < points_.size(); slope += points_[g].count, ++g) {
     const Unknowns* jet = jets(work, g);
     const auto at = still_.places(places_[g].element);
     std::fill_n(slope, points_[g].count, Vec2{});
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (at[i] < 0) continue;
-      slope[static_cast<std::size_t>(at[i]) - points_[g].first] = {jet[0].gradient[i],
-                                                                   jet[1].gradient[i]};
-      for (std::size_t j = 0; weights && j < at.size(); ++j)
-        if (at[j] >= 0 && at[j] <= at[i])
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (at[i] >= 0)
+        slope[static_cast<std::size_t>(at[i]) - points_[g].first] = {jet[0].gradient[i],
+                                                                     jet[1].gradient[i]};
+  }
+}
+
+void HermiteMotionPort::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
+                                  const Vec2* weights, MemberWork& work) const {
+  if (still_.is_linear()) {
+    work.tangent = drawn_.band;
+    work.slopes = drawn_.slopes;
+    return;
+  }
+  const BandLayout rows = layout();
+  const auto size = static_cast<std::ptrdiff_t>(work.tangent.size());
+  std::copy(work.scratch.begin(), work.scratch.begin() + size, work.tangent.begin());
+  copy_slopes(work);
+  for (std::size_t g = 0; weights && g < points_.size(); ++g) {
+    const Unknowns* jet = jets(work, g);
+    const auto at = still_.places(places_[g].element);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = 0; j < at.size(); ++j)
+        if (at[i] >= 0 && at[j] >= 0 && at[j] <= at[i])
           rows.row(work.tangent.data(), static_cast<std::size_t>(at[i]))[at[j]] +=
               weights[g].x * jet[0].second(i, j) + weights[g].y * jet[1].second(i, j);
-    }
   }
 }
 

@@ -86,7 +86,7 @@ TEST(Transient, Defaults) {
   EXPECT_TRUE(study.fields.constant);
   EXPECT_FALSE(study.from.has_value());
   EXPECT_FALSE(study.step.has_value());
-  EXPECT_EQ(study.tolerance, 1e-6);
+  EXPECT_EQ(study.tolerance, 1e-5);
   EXPECT_EQ(study.method, TransientStudy::Method::radau);
   EXPECT_EQ(study.outputs, 200);
   EXPECT_TRUE(study.estimate);
