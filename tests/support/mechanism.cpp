@@ -65,6 +65,40 @@ Mechanism& Mechanism::pin_action() {
   return *this;
 }
 
+Mechanism& Mechanism::density(double value) {
+  for (Material& material : model_.materials) material.density = value;
+  return *this;
+}
+
+Mechanism& Mechanism::mass(double mass, double inertia) {
+  model_.bodies.back().mass = mass;
+  model_.bodies.back().inertia = inertia;
+  return *this;
+}
+
+Mechanism& Mechanism::free() {
+  model_.bodies.back().free = true;
+  return *this;
+}
+
+Mechanism& Mechanism::pin(const std::string& base, const std::string& action, Vec2 at) {
+  model_.joints.push_back({"j" + std::to_string(model_.joints.size()), index(base), index(action),
+                           RevoluteJoint{at}, {}});
+  return *this;
+}
+
+Mechanism& Mechanism::slide(const std::string& base, const std::string& action, Vec2 direction) {
+  model_.joints.push_back({"j" + std::to_string(model_.joints.size()), index(base), index(action),
+                           PrismaticJoint{direction}, {}});
+  return *this;
+}
+
+Mechanism& Mechanism::turn(const std::string& body, double amount, TimeHistory history) {
+  model_.drivers.push_back({"d" + std::to_string(model_.drivers.size()), index(body), {}, amount,
+                            std::move(history), {}});
+  return *this;
+}
+
 std::size_t Mechanism::index(const std::string& body) const {
   for (std::size_t b = 0; b < model_.bodies.size(); ++b)
     if (model_.bodies[b].name == body) return b;

@@ -23,6 +23,16 @@ class Mechanism {
   Mechanism& pin_base();
   Mechanism& pin_action();
 
+  /// Of all materials so far.
+  Mechanism& density(double value);
+  /// On the last body that was added.
+  Mechanism& mass(double mass, double inertia = 0.0);
+  Mechanism& free();
+  Mechanism& pin(const std::string& base, const std::string& action, Vec2 at);
+  Mechanism& slide(const std::string& base, const std::string& action, Vec2 direction);
+  /// Turns a body by `amount` times a history.
+  Mechanism& turn(const std::string& body, double amount, TimeHistory history);
+
   std::size_t index(const std::string& body) const;
   const Model& model() const { return model_; }
   operator const Model&() const { return model_; }
