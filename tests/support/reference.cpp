@@ -7,8 +7,10 @@
 namespace flexura::testing {
 namespace {
 
-std::ifstream open_reference(const std::string& file) {
-  std::ifstream stream(std::string(FLEXURA_SOURCE_DIR) + "/tests/data/reference/static/" + file);
+std::ifstream open_reference(const std::string& name) {
+  const bool in_folder = name.find('/') != std::string::npos;
+  const std::string file = in_folder ? name : "static/" + name;
+  std::ifstream stream(std::string(FLEXURA_SOURCE_DIR) + "/tests/data/reference/" + file);
   if (!stream) throw std::runtime_error("cannot read " + file);
   return stream;
 }

@@ -6,7 +6,8 @@
 
 namespace flexura::testing {
 
-/// A table of tests/data/reference/static (its README.md says how the numbers were obtained).
+/// A table of tests/data/reference, by its name in folder `static` or as "folder/name" (README.md
+/// of the folder says how the numbers were obtained).
 class ReferenceTable {
  public:
   explicit ReferenceTable(const std::string& file);
