@@ -13,6 +13,12 @@
 namespace flexura {
 namespace {
 
+/// Newton's method ends well below the error of a step, and in any case where joints and ends of
+/// flexures are closed to what short steps after it can bear.
+double newton_tolerance(double tolerance) {
+  return tolerance > 0.0 ? std::min(1e-2 * tolerance, 1e-6) : 1e-10;
+}
+
 constexpr std::size_t most_breaks = 200;  // of one history: more of them are no jumps but samples
 
 /// Output times and, between them, those at which loads or imposed motions jump.
@@ -145,7 +151,7 @@ TransientRun March::run(Integrator& integrator, const After& after,
 TransientRun by_radau(const March& march, Ledger& ledger) {
   using Integrator = Radau<MotionSystem, Moment, MotionFactor>;
   const double tolerance = march.steps.step > 0.0 ? 0.0 : march.steps.tolerance;
-  Integrator integrator(march.system, {tolerance > 0.0 ? 1e-2 * tolerance : 1e-10, tolerance});
+  Integrator integrator(march.system, {newton_tolerance(tolerance), tolerance});
   const auto after = [&](double h) {
     if (!ledger.keeps_books()) return;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -163,8 +169,8 @@ TransientRun by_radau(const March& march, Ledger& ledger) {
 TransientRun by_generalized_alpha(const March& march, Ledger& ledger) {
   using Integrator = GeneralizedAlpha<MotionSystem, Moment, MotionFactor>;
   const double tolerance = march.steps.step > 0.0 ? 0.0 : march.steps.tolerance;
-  Integrator integrator(march.system, {march.study.spectral_radius,
-                                       tolerance > 0.0 ? 1e-2 * tolerance : 1e-10, tolerance});
+  Integrator integrator(march.system,
+                        {march.study.spectral_radius, newton_tolerance(tolerance), tolerance});
   MotionPower before;
   if (ledger.keeps_books()) before = march.system.power(march.moment);
   const auto after = [&](double h) {
