@@ -23,12 +23,15 @@ struct CircleSection {
 
 /// Any section by its properties. Left out, the shear area is 5/6 of the area and the depth (the
 /// height in the plane of motion, for stress and drawing) that of the rectangle with the same
-/// area and second moment, sqrt(12 I/A).
+/// area and second moment, sqrt(12 I/A). `rotary_second_moment` times the density is the rotary
+/// inertia per length; it differs from the second moment that bends where the section is made of
+/// layers, or is an idealisation.
 struct GeneralSection {
   double area = 0.0;
   double second_moment = 0.0;
   std::optional<double> shear_area;
   std::optional<double> depth;
+  std::optional<double> rotary_second_moment;  ///< by default the second moment
 };
 
 using Section = std::variant<RectangleSection, CircleSection, GeneralSection>;
@@ -39,6 +42,7 @@ struct SectionProperties {
   double second_moment = 0.0;  ///< about the axis normal to the plane of motion
   double shear_area = 0.0;     ///< 5/6 A for rectangles, 9/10 A for circles
   double depth = 0.0;          ///< height in the plane of motion; extreme fibres at +-depth/2
+  double rotary_second_moment = 0.0;  ///< that of rotary inertia
 };
 
 /// Of the section's own thickness and width, without its profiles.

@@ -61,10 +61,12 @@ Section read_section(Reading& reading, const Place& place) {
                          read_optional_profile(reading, circle, "profile")};
   }
   TableReader general(reading, shape_place, vocabulary::general());
-  return GeneralSection{general.required_quantity("area", dimensions::area),
-                        general.required_quantity("second_moment", dimensions::second_moment),
-                        general.optional_quantity("shear_area", dimensions::area),
-                        general.optional_quantity("depth", dimensions::length)};
+  return GeneralSection{
+      general.required_quantity("area", dimensions::area),
+      general.required_quantity("second_moment", dimensions::second_moment),
+      general.optional_quantity("shear_area", dimensions::area),
+      general.optional_quantity("depth", dimensions::length),
+      general.optional_quantity("rotary_second_moment", dimensions::second_moment)};
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ const Vocabulary& elliptic() {
 }
 
 const Vocabulary& general() {
-  static const Vocabulary v{{"area", "second_moment", "shear_area", "depth"}, {"profile"}};
+  static const Vocabulary v{
+      {"area", "second_moment", "shear_area", "depth", "rotary_second_moment"}, {"profile"}};
   return v;
 }
 

@@ -39,6 +39,8 @@ struct SectionRules {
     mistakes.require_positive(path / "general" / "second_moment", g.second_moment);
     if (g.shear_area) mistakes.require_positive(path / "general" / "shear_area", *g.shear_area);
     if (g.depth) mistakes.require_positive(path / "general" / "depth", *g.depth);
+    if (g.rotary_second_moment)
+      mistakes.require_positive(path / "general" / "rotary_second_moment", *g.rotary_second_moment);
   }
 };
 

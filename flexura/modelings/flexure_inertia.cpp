@@ -7,7 +7,7 @@ namespace flexura {
 SectionInertia FlexureInertia::at(double s) const {
   using Jet = Jet2<2>;
   const SectionProperties section = section_properties(shape, s, length);
-  const SectionInertia full{density * section.area, density * section.second_moment};
+  const SectionInertia full{density * section.area, density * section.rotary_second_moment};
   const Jet x = Jet::variable(0, 0.0);
   const Jet y = Jet::variable(1, 0.0);
   return {translation ? translation_energy(x, y, full).second(0, 0) : 0.0,

@@ -34,6 +34,10 @@ TEST(Section, GeneralFillsInARectangle) {
   const SectionProperties filled = section_properties(general);
   EXPECT_DOUBLE_EQ(filled.shear_area, rectangle.shear_area);
   EXPECT_NEAR(filled.depth, rectangle.depth, 1e-15);
+  EXPECT_EQ(filled.rotary_second_moment, general.second_moment);
+  general.rotary_second_moment = 2.0;
+  EXPECT_EQ(section_properties(general).rotary_second_moment, 2.0);
+  EXPECT_EQ(section_properties(general).second_moment, rectangle.second_moment);
   general.shear_area = 0.7;
   general.depth = 0.3;
   EXPECT_EQ(section_properties(general).shear_area, 0.7);

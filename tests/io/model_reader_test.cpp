@@ -144,7 +144,8 @@ TEST(ModelReader, EntitiesKnowWhereTheyStand) {
 TEST(ModelReader, SectionsBodiesAndSplines) {
   ModelText text;
   text.sections =
-      "[sections.strip]\ngeneral = { area = \"2 mm^2\", second_moment = 0.5, depth = 1.5 }\n"
+      "[sections.strip]\ngeneral = { area = \"2 mm^2\", second_moment = 0.5, depth = 1.5, "
+      "rotary_second_moment = \"3e6 um^4\" }\n"
       "[sections.rod]\ncircle = { diameter = \"1 cm\" }\n";
   text.bodies =
       "[bodies.ground]\nfixed = true\n[bodies.stage]\nmass = \"1 kg\"\ninertia = 2\n"
@@ -155,6 +156,7 @@ TEST(ModelReader, SectionsBodiesAndSplines) {
   EXPECT_EQ(general.area, 2.0);
   EXPECT_FALSE(general.shear_area.has_value());
   EXPECT_EQ(general.depth, 1.5);
+  EXPECT_EQ(general.rotary_second_moment, 3e-6);
   EXPECT_EQ(std::get<CircleSection>(model.sections[1].shape).diameter, 10.0);
   EXPECT_EQ(model.bodies[1].mass, 1e-3);  // N s^2/mm is a tonne
   EXPECT_EQ(model.bodies[1].inertia, 2.0);

@@ -79,6 +79,8 @@ Model in_other_length_unit(Model model, double factor) {
       auto& general = std::get<GeneralSection>(section.shape);
       general.area *= factor * factor;
       general.second_moment *= factor * factor * factor * factor;
+      if (general.rotary_second_moment)
+        *general.rotary_second_moment *= factor * factor * factor * factor;
       if (general.shear_area) *general.shear_area *= factor * factor;
       if (general.depth) *general.depth *= factor;
     }
