@@ -107,6 +107,8 @@ class MotionSystem {
   bool has_power() const;
   /// The largest gap of a joint, a flexure's end or what is prescribed, at the last residual.
   double largest_gap(const Eigen::VectorXd& r) const;
+  /// The same in mean flexure lengths.
+  double relative_gap(const Eigen::VectorXd& r) const { return largest_gap(r) / length_; }
 
   Pose pose(std::size_t body, const Eigen::VectorXd& q) const;
   Vec2 moved_point(std::size_t body, Vec2 drawn, const Eigen::VectorXd& q) const;

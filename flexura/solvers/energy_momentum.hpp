@@ -23,7 +23,10 @@ class EnergyMomentum {
 
   static constexpr int order = 2;
   static constexpr double error_order = 3.0;
-  void restart() { velocities_.clear(); }
+  /// Loads may jump, as a step knows nothing of the last one's forces; rates may not.
+  void restart(bool rates_jump) {
+    if (rates_jump) velocities_.clear();
+  }
   StepReport step(State& state, double h);
 
   const std::vector<Vector>& places() const { return places_; }

@@ -32,8 +32,8 @@ class GeneralizedAlpha {
 
   static constexpr int order = 2;
   static constexpr double error_order = 3.0;  ///< of the estimate, in the step
-  /// Forgets the step before: where loads jump.
-  void restart() { auxiliary_.resize(0); }
+  /// Forgets the step before: where loads or rates jump.
+  void restart(bool /*rates_jump*/) { auxiliary_.resize(0); }
 
   /// From `state` to a time h later; unchanged unless accepted.
   StepReport step(State& state, double h);

@@ -38,9 +38,9 @@ class TimeMarch {
   template <class State>
   bool advance(State& state, double until, const std::function<bool(double)>& after);
 
-  /// Where loads jump: nothing is carried over.
-  void restart() {
-    integrator_.restart();
+  /// Where loads jump, or what is imposed and with it rates: what those change is not carried over.
+  void restart(bool rates_jump) {
+    integrator_.restart(rates_jump);
     if (options_.step == 0.0) next_ = std::min(next_, options_.first_step);
   }
   const MarchCounts& counts() const { return counts_; }

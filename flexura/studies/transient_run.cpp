@@ -13,42 +13,46 @@
 namespace flexura {
 namespace {
 
-/// Newton's method ends well below the error of a step, and in any case where joints and ends of
-/// flexures are closed to what short steps after it can bear.
+/// Newton's method ends well below the error of a step (what it leaves is felt by 1/h in rates, by
+/// 1/h^2 in forces), and in any case where joints and ends of flexures are closed to what short
+/// steps after it can bear.
 double newton_tolerance(double tolerance) {
-  return tolerance > 0.0 ? std::min(1e-2 * tolerance, 1e-6) : 1e-10;
+  return tolerance > 0.0 ? std::min(1e-3 * tolerance, 1e-6) : 1e-11;
 }
 
+constexpr double same_time = 1e-12;       // as a share of the study's duration
 constexpr std::size_t most_breaks = 200;  // of one history: more of them are no jumps but samples
 
-/// Output times and, between them, those at which loads or imposed motions jump.
+/// Output times and, between them, those at which loads or the rates of imposed motions jump.
 struct Goal {
   double time = 0.0;
   bool is_output = false;
-  bool is_jump = false;
+  bool load_jumps = false;
+  bool rate_jumps = false;
 };
 std::vector<Goal> goals_of(const MotionSystem& system, const TransientStudy& study) {
   std::vector<Goal> goals;
   for (int k = 1; k <= study.outputs; ++k)
     goals.push_back(
-        {k == study.outputs ? study.duration : study.duration * k / study.outputs, true, false});
-  const auto add = [&](const TimeHistory& history) {
+        {k == study.outputs ? study.duration : study.duration * k / study.outputs, true});
+  const auto add = [&](const TimeHistory& history, bool imposed) {
     const auto breaks = history_breaks(history, 0.0, study.duration);
     if (breaks.size() > most_breaks) return;
-    for (const double at : breaks) goals.push_back({at, false, true});
+    for (const double at : breaks) goals.push_back({at, false, !imposed, imposed});
   };
-  for (const TimeHistory& history : system.layout().loads) add(history);
-  for (const TimeHistory& history : system.layout().prescribed) add(history);
+  for (const TimeHistory& history : system.layout().loads) add(history, false);
+  for (const TimeHistory& history : system.layout().prescribed) add(history, true);
   std::sort(goals.begin(), goals.end(),
             [](const Goal& a, const Goal& b) { return a.time < b.time; });
   std::vector<Goal> merged;
   for (const Goal& goal : goals) {
-    if (merged.empty() || goal.time > merged.back().time + 1e-12 * study.duration) {
+    if (merged.empty() || goal.time > merged.back().time + same_time * study.duration) {
       merged.push_back(goal);
       continue;
     }
     merged.back().is_output = merged.back().is_output || goal.is_output;
-    merged.back().is_jump = merged.back().is_jump || goal.is_jump;
+    merged.back().load_jumps = merged.back().load_jumps || goal.load_jumps;
+    merged.back().rate_jumps = merged.back().rate_jumps || goal.rate_jumps;
   }
   return merged;
 }
@@ -125,7 +129,9 @@ TransientRun March::run(Integrator& integrator, const After& after,
   if (record) record(moment, energies());
   run.termination.status = Status::converged;
   for (const Goal& goal : goals_of(system, study)) {
-    if (!march.advance(moment, goal.time, booked)) {
+    // a step that ends at a jump has the load from before it
+    const double end = goal.time - (goal.load_jumps ? same_time * study.duration : 0.0);
+    if (!march.advance(moment, end, booked)) {
       run.termination = {Status::stopped,
                          march.was_stopped()
                              ? fmt::format("cancelled at time {:.6g}", moment.time)
@@ -136,7 +142,8 @@ TransientRun March::run(Integrator& integrator, const After& after,
                                            moment.time)};
       break;
     }
-    if (goal.is_jump) march.restart();
+    moment.time = goal.time;
+    if (goal.load_jumps || goal.rate_jumps) march.restart(goal.rate_jumps);
     if (!goal.is_output) continue;
     if (record) record(moment, energies());
     if (goal.time < study.duration && keep_going && !keep_going(moment.time / study.duration)) {
@@ -152,7 +159,9 @@ TransientRun by_radau(const March& march, Ledger& ledger) {
   using Integrator = Radau<MotionSystem, Moment, MotionFactor>;
   const double tolerance = march.steps.step > 0.0 ? 0.0 : march.steps.tolerance;
   Integrator integrator(march.system, {newton_tolerance(tolerance), tolerance});
+  double last_step = 0.0;
   const auto after = [&](double h) {
+    last_step = h;
     if (!ledger.keeps_books()) return;
     for (std::size_t i = 0; i < 3; ++i) {
       const MotionPower power = march.system.power(integrator.stages()[i]);
@@ -160,9 +169,13 @@ TransientRun by_radau(const March& march, Ledger& ledger) {
       ledger.add(weight * power.loads, weight * power.damping);
     }
   };
+  MotionFactor<double> factor;
   return march.run(integrator, after, [&] {
-    const MotionEnergies energies = march.system.energies(march.moment);
-    return ledger.balance(march.moment, energies, energies.kinetic);
+    Moment moment = march.moment;  // with rates that the constraints allow
+    if (last_step > 0.0 && !project_rates(march.system, moment, last_step, factor))
+      moment.v = march.moment.v;
+    const MotionEnergies energies = march.system.energies(moment);
+    return ledger.balance(moment, energies, energies.kinetic);
   });
 }
 

@@ -82,20 +82,42 @@ Mechanism& Mechanism::free() {
 }
 
 Mechanism& Mechanism::pin(const std::string& base, const std::string& action, Vec2 at) {
-  model_.joints.push_back({"j" + std::to_string(model_.joints.size()), index(base), index(action),
-                           RevoluteJoint{at}, {}});
+  model_.joints.push_back({"j" + std::to_string(model_.joints.size()),
+                           index(base),
+                           index(action),
+                           RevoluteJoint{at},
+                           {}});
   return *this;
 }
 
 Mechanism& Mechanism::slide(const std::string& base, const std::string& action, Vec2 direction) {
-  model_.joints.push_back({"j" + std::to_string(model_.joints.size()), index(base), index(action),
-                           PrismaticJoint{direction}, {}});
+  model_.joints.push_back({"j" + std::to_string(model_.joints.size()),
+                           index(base),
+                           index(action),
+                           PrismaticJoint{direction},
+                           {}});
+  return *this;
+}
+
+Mechanism& Mechanism::spring(const std::string& base, const std::string& action, double stiffness,
+                             double damping) {
+  Spring spring;
+  spring.name = "s" + std::to_string(model_.springs.size());
+  spring.base.body = index(base);
+  spring.action.body = index(action);
+  spring.stiffness = stiffness;
+  spring.damping = damping;
+  model_.springs.push_back(spring);
   return *this;
 }
 
 Mechanism& Mechanism::turn(const std::string& body, double amount, TimeHistory history) {
-  model_.drivers.push_back({"d" + std::to_string(model_.drivers.size()), index(body), {}, amount,
-                            std::move(history), {}});
+  model_.drivers.push_back({"d" + std::to_string(model_.drivers.size()),
+                            index(body),
+                            {},
+                            amount,
+                            std::move(history),
+                            {}});
   return *this;
 }
 

@@ -30,6 +30,9 @@ class Mechanism {
   Mechanism& free();
   Mechanism& pin(const std::string& base, const std::string& action, Vec2 at);
   Mechanism& slide(const std::string& base, const std::string& action, Vec2 direction);
+  /// Between the centres of two bodies, with a damper beside it.
+  Mechanism& spring(const std::string& base, const std::string& action, double stiffness,
+                    double damping = 0.0);
   /// Turns a body by `amount` times a history.
   Mechanism& turn(const std::string& body, double amount, TimeHistory history);
 

@@ -1,0 +1,166 @@
+// Natural frequencies of cantilevers: closed forms, and what Abaqus found; both eigensolvers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "flexura/studies/modes_study.hpp"
+#include "tests/support/measured.hpp"
+#include "tests/support/mechanism.hpp"
+#include "tests/support/modelings.hpp"
+
+namespace flexura::testing {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<double> frequencies(const Model& model, const ModesStudy& study,
+                                const ModelingSettings& settings) {
+  const ModelingModes modes = run_modes(model, study, settings, [](double) { return true; });
+  EXPECT_TRUE(modes.termination.converged()) << modes.termination.reason;
+  std::vector<double> found;
+  for (const Mode& mode : modes.modes) found.push_back(mode.value);
+  return found;
+}
+
+double largest_difference(const std::vector<double>& found, const std::vector<double>& truth) {
+  EXPECT_EQ(found.size(), truth.size());
+  double largest = 0.0;
+  for (std::size_t k = 0; k < std::min(found.size(), truth.size()); ++k)
+    largest = std::max(largest, std::abs(found[k] / truth[k] - 1.0));
+  return largest;
+}
+
+constexpr double side = 0.01;
+constexpr double modulus = 210e9;
+constexpr double shear_modulus = 80e9;
+constexpr double density = 7850.0;
+
+Mechanism bar(const Section& section, const AxisShape& axis) {
+  Mechanism beam;
+  beam.material(modulus, modulus / (2.0 * shear_modulus) - 1.0).density(density).section(section);
+  beam.fixed("ground").body("tip").flexure("ground", "tip", axis);
+  return beam;
+}
+
+const AxisShape straight = LineAxis{{0.0, 0.0}, {1.0, 0.0}};
+const AxisShape curved = ArcAxis{{0.0, 4.0 / pi}, 4.0 / pi, -0.5 * pi, 0.25 * pi};
+const Section uniform = RectangleSection{side, side};
+const Section tapered =
+    RectangleSection{side, side, TaperProfile{0.5 * side}, TaperProfile{0.5 * side}};
+
+/// The root of an ascending number of a function, between those of its sign changes on a grid.
+template <class Function>
+std::vector<double> roots(const Function& function, double step, std::size_t count) {
+  std::vector<double> found;
+  for (double a = step; found.size() < count; a += step) {
+    double low = a, high = a + step;
+    if (function(low) * function(high) > 0.0) continue;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      (function(low) * function(middle) > 0.0 ? low : high) = middle;
+    }
+    found.push_back(0.5 * (low + high));
+  }
+  return found;
+}
+
+/// 1 + cos x cosh x = 0, w = x^2 sqrt(EI/(rho A)) for a length of 1.
+TEST(CantileverFrequencies, EulerBernoulli) {
+  std::vector<double> truth =
+      roots([](double x) { return 1.0 / std::cosh(x) + std::cos(x); }, 0.5, 6);
+  for (double& w : truth) w *= w * std::sqrt(modulus * side * side / 12.0 / density);
+  ModesStudy study;
+  study.inertia.rotary = false;
+  for (const auto& settings : {exact(), beam(8, 5), linear_beam(64)}) {
+    const auto found = frequencies(bar(uniform, straight), study, in_theory(settings, "ii"));
+    note_measured(settings.label, largest_difference(found, truth));
+    EXPECT_LT(largest_difference(found, truth), settings.label == "linear_beam" ? 1e-6 : 1e-9)
+        << settings.label;
+  }
+}
+
+/// Timoshenko's theory with rotary inertia (Huang, J. Appl. Mech. 28 (1961) 579): with
+/// b^2 = rho A w^2/EI, r^2 = I/A, s^2 = EI/(GA_s) for a length of 1 and
+/// p, q = sqrt((-+(r^2 + s^2) + sqrt((r^2 - s^2)^2 + 4/b^2))/2),
+///   2 + (b^2 (r^2 - s^2)^2 + 2) cosh bp cos bq
+///     - b (r^2 + s^2)/sqrt(1 - b^2 r^2 s^2) sinh bp sin bq = 0.
+double huang(double w) {
+  const double r2 = side * side / 12.0;
+  const double s2 = modulus * r2 / (shear_modulus * 5.0 / 6.0);
+  const double b = w * std::sqrt(density / (modulus * r2));
+  const double root = std::sqrt((r2 - s2) * (r2 - s2) + 4.0 / (b * b));
+  const double p = b * std::sqrt(0.5 * (root - r2 - s2)), q = b * std::sqrt(0.5 * (root + r2 + s2));
+  return 2.0 / std::cosh(p) + (b * b * (r2 - s2) * (r2 - s2) + 2.0) * std::cos(q) -
+         b * (r2 + s2) / std::sqrt(1.0 - b * b * r2 * s2) * std::tanh(p) * std::sin(q);
+}
+
+TEST(CantileverFrequencies, Timoshenko) {
+  const std::vector<double> truth = roots(huang, 20.0, 6);
+  for (const auto& settings : {exact(), beam(8, 5)}) {
+    const auto found = frequencies(bar(uniform, straight), {}, settings);
+    note_measured(settings.label, largest_difference(found, truth));
+    EXPECT_LT(largest_difference(found, truth), 1e-8) << settings.label;
+  }
+}
+
+struct AbaqusCase {
+  std::string name;
+  Section section;
+  AxisShape axis;
+  std::vector<double> hertz;
+};
+
+class AbaqusFrequencies : public ::testing::TestWithParam<AbaqusCase> {};
+
+TEST_P(AbaqusFrequencies, AreTheSame) {
+  const AbaqusCase& tested = GetParam();
+  std::vector<double> truth = tested.hertz;
+  for (double& f : truth) f *= 2.0 * pi;
+  const Mechanism beam_ = bar(tested.section, tested.axis);
+  const auto modal = frequencies(beam_, {}, exact());
+  const auto elements = frequencies(beam_, {}, beam(16, 4));
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    printf("%s %zu %.6e\n", tested.name.c_str(), k, modal[k] / truth[k] - 1.0);
+  for (int variant = 0; variant < 3; ++variant) {
+    ModesStudy study;
+    if (variant == 0) study.inertia.rotary = false;
+    const auto other = frequencies(beam_, study, variant == 1 ? in_theory(exact(), "ii") : exact());
+    for (std::size_t k = 0; k < truth.size(); ++k)
+      printf("  v%d %zu %.6e\n", variant, k, other[k] / truth[k] - 1.0);
+  }
+  note_measured("modelings", largest_difference(elements, modal));
+  note_measured("abaqus", largest_difference(modal, truth));
+  EXPECT_LT(largest_difference(elements, modal), 1e-7);
+  EXPECT_LT(largest_difference(modal, truth), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Verification, AbaqusFrequencies,
+    ::testing::Values(
+        AbaqusCase{"straight", uniform, straight, {8.3552, 52.361, 146.61, 287.30, 474.93, 709.47}},
+        AbaqusCase{"tapered", tapered, straight, {10.988, 46.438, 115.40, 218.11, 354.89, 525.78}},
+        AbaqusCase{"curved", uniform, curved, {8.4604, 49.038, 142.75, 283.14, 470.47, 704.52}},
+        AbaqusCase{
+            "curved_tapered", tapered, curved, {11.110, 44.670, 113.23, 215.64, 352.29, 523.04}}),
+    [](const auto& test) { return test.param.name; });
+
+/// The frame of the first source by 40 elements a member, 720 unknowns: the dense solver sees all
+/// of the matrices, the sparse one iterates on a few vectors.
+TEST(Eigensolvers, AgreeWithManyUnknowns) {
+  Mechanism frame = portal_frame();
+  frame.density(913.0);
+  ModesStudy study;
+  study.count = 12;
+  study.solver = ModesStudy::Solver::dense;
+  const auto dense = frequencies(frame, study, beam(40, 2));
+  study.solver = ModesStudy::Solver::sparse;
+  const auto sparse = frequencies(frame, study, beam(40, 2));
+  ASSERT_EQ(sparse.size(), 12u);
+  note_measured("difference", largest_difference(sparse, dense));
+  EXPECT_LT(largest_difference(sparse, dense), 1e-9);
+}
+
+}  // namespace
+}  // namespace flexura::testing
