@@ -41,20 +41,26 @@ struct Bordered {
   Eigen::PartialPivLU<Eigen::MatrixXd> factor;
 };
 
-/// B of M = B^T B, what has no mass left out.
+/// B of M = B^T B, what has no mass left out. (Where some motion has none, pivots are no guide:
+/// they need not descend, and those that should be zero are followed by rounding.)
 Eigen::MatrixXd mass_root(const Eigen::MatrixXd& mass) {
+  constexpr double nothing = 1e-13;  // of the largest
   const Eigen::VectorXd size = mass.diagonal().cwiseMax(0.0).cwiseSqrt();
   const Eigen::VectorXd by = (size.array() > 0.0).select(size.cwiseInverse(), 0.0);
-  const Eigen::LDLT<Eigen::MatrixXd> factor(by.asDiagonal() * mass * by.asDiagonal());
   const Eigen::MatrixXd sized = size.asDiagonal();
-  const Eigen::MatrixXd permuted = factor.transpositionsP() * sized;
-  const Eigen::MatrixXd upper = factor.matrixU();
-  const Eigen::VectorXd pivots = factor.vectorD().cwiseMax(0.0).cwiseSqrt();
-  const Eigen::MatrixXd whole = pivots.asDiagonal() * (upper * permuted);
-  // pivots descend: what has no mass comes last
-  Eigen::Index rank = 0;
-  while (rank < whole.rows() && factor.vectorD()[rank] > 1e-15) ++rank;
-  return whole.topRows(rank);
+  const Eigen::MatrixXd scaled = by.asDiagonal() * mass * by.asDiagonal();
+  const Eigen::LDLT<Eigen::MatrixXd> factor(scaled);
+  if (factor.vectorD().minCoeff() > 1e-12) {
+    const Eigen::MatrixXd permuted = factor.transpositionsP() * sized;
+    const Eigen::MatrixXd upper = factor.matrixU();
+    return factor.vectorD().cwiseSqrt().asDiagonal() * (upper * permuted);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+  const Eigen::VectorXd& masses = eigen.eigenvalues();  // ascending
+  const double largest = masses.tail(1).sum();
+  const auto rank = (masses.array() > nothing * largest).count();
+  return masses.tail(rank).cwiseSqrt().asDiagonal() *
+         eigen.eigenvectors().rightCols(rank).transpose() * sized;
 }
 
 void normalize(Vibrations& modes, const Eigen::VectorXd& squared_sizes) {
