@@ -73,35 +73,45 @@ TEST(CantileverFrequencies, EulerBernoulli) {
   for (double& w : truth) w *= w * std::sqrt(modulus * side * side / 12.0 / density);
   ModesStudy study;
   study.inertia.rotary = false;
-  for (const auto& settings : {exact(), beam(8, 5), linear_beam(64)}) {
+  for (const auto& settings : {exact(), beam(16, 5), linear_beam(64)}) {
     const auto found = frequencies(bar(uniform, straight), study, in_theory(settings, "ii"));
     note_measured(settings.label, largest_difference(found, truth));
-    EXPECT_LT(largest_difference(found, truth), settings.label == "linear_beam" ? 1e-6 : 1e-9)
-        << settings.label;
+    EXPECT_LT(largest_difference(found, truth), 1e-9) << settings.label;
   }
 }
 
-/// Timoshenko's theory with rotary inertia (Huang, J. Appl. Mech. 28 (1961) 579): with
-/// b^2 = rho A w^2/EI, r^2 = I/A, s^2 = EI/(GA_s) for a length of 1 and
+/// Timoshenko's theory (Huang, J. Appl. Mech. 28 (1961) 579): with b^2 = rho A w^2/EI, r^2 the
+/// rotary inertia by rho A, s^2 = EI/(GA_s) for a length of 1 and
 /// p, q = sqrt((-+(r^2 + s^2) + sqrt((r^2 - s^2)^2 + 4/b^2))/2),
 ///   2 + (b^2 (r^2 - s^2)^2 + 2) cosh bp cos bq
 ///     - b (r^2 + s^2)/sqrt(1 - b^2 r^2 s^2) sinh bp sin bq = 0.
-double huang(double w) {
-  const double r2 = side * side / 12.0;
-  const double s2 = modulus * r2 / (shear_modulus * 5.0 / 6.0);
-  const double b = w * std::sqrt(density / (modulus * r2));
+double huang(double w, double r2) {
+  const double i = side * side / 12.0;
+  const double s2 = modulus * i / (shear_modulus * 5.0 / 6.0);
+  const double b = w * std::sqrt(density / (modulus * i));
   const double root = std::sqrt((r2 - s2) * (r2 - s2) + 4.0 / (b * b));
-  const double p = b * std::sqrt(0.5 * (root - r2 - s2)), q = b * std::sqrt(0.5 * (root + r2 + s2));
+  const double p = b * std::sqrt(0.5 * (root - r2 - s2));
+  const double q = b * std::sqrt(0.5 * (root + r2 + s2));
   return 2.0 / std::cosh(p) + (b * b * (r2 - s2) * (r2 - s2) + 2.0) * std::cos(q) -
          b * (r2 + s2) / std::sqrt(1.0 - b * b * r2 * s2) * std::tanh(p) * std::sin(q);
 }
 
+/// With rotary inertia, with that of another second moment than bends, and without.
 TEST(CantileverFrequencies, Timoshenko) {
-  const std::vector<double> truth = roots(huang, 20.0, 6);
-  for (const auto& settings : {exact(), beam(8, 5)}) {
-    const auto found = frequencies(bar(uniform, straight), {}, settings);
-    note_measured(settings.label, largest_difference(found, truth));
-    EXPECT_LT(largest_difference(found, truth), 1e-8) << settings.label;
+  const double i = side * side / 12.0;
+  for (const double rotary : {i, 4.0 * i, 0.0}) {
+    const auto truth = roots([&](double w) { return huang(w, rotary); }, 20.0, 6);
+    GeneralSection section;
+    section.area = side * side;
+    section.second_moment = side * side * i;
+    section.rotary_second_moment = side * side * (rotary > 0.0 ? rotary : i);
+    ModesStudy study;
+    study.inertia.rotary = rotary > 0.0;
+    for (const auto& settings : {exact(), beam(16, 5)}) {
+      const auto found = frequencies(bar(section, straight), study, settings);
+      note_measured(settings.label + std::to_string(rotary / i), largest_difference(found, truth));
+      EXPECT_LT(largest_difference(found, truth), 1e-9) << settings.label << " " << rotary / i;
+    }
   }
 }
 
@@ -112,41 +122,50 @@ struct AbaqusCase {
   std::vector<double> hertz;
 };
 
-class AbaqusFrequencies : public ::testing::TestWithParam<AbaqusCase> {};
-
-TEST_P(AbaqusFrequencies, AreTheSame) {
-  const AbaqusCase& tested = GetParam();
-  std::vector<double> truth = tested.hertz;
-  for (double& f : truth) f *= 2.0 * pi;
-  const Mechanism beam_ = bar(tested.section, tested.axis);
-  const auto modal = frequencies(beam_, {}, exact());
-  const auto elements = frequencies(beam_, {}, beam(16, 4));
-  for (std::size_t k = 0; k < truth.size(); ++k)
-    printf("%s %zu %.6e\n", tested.name.c_str(), k, modal[k] / truth[k] - 1.0);
-  for (int variant = 0; variant < 3; ++variant) {
-    ModesStudy study;
-    if (variant == 0) study.inertia.rotary = false;
-    const auto other = frequencies(beam_, study, variant == 1 ? in_theory(exact(), "ii") : exact());
-    for (std::size_t k = 0; k < truth.size(); ++k)
-      printf("  v%d %zu %.6e\n", variant, k, other[k] / truth[k] - 1.0);
+/// The published values are those of Euler and Bernoulli's theory without rotary inertia: with
+/// shear and rotary inertia the sixth frequency of the straight bar is 5.7e-3 lower (the theory's
+/// own exact value, see above), without both it is theirs to their five digits.
+class AbaqusFrequencies : public ::testing::TestWithParam<AbaqusCase> {
+ protected:
+  /// Of both modelings, which agree among each other far better than with anything printed.
+  void compare(double tolerance) {
+    const AbaqusCase& tested = GetParam();
+    std::vector<double> truth = tested.hertz;
+    for (double& f : truth) f *= 2.0 * pi;
+    const Mechanism beam_ = bar(tested.section, tested.axis);
+    const auto modal = frequencies(beam_, {}, in_theory(exact(), "ii"));
+    const auto elements = frequencies(beam_, {}, in_theory(beam(16, 5), "ii"));
+    note_measured("modelings", largest_difference(elements, modal));
+    note_measured("abaqus", largest_difference(modal, truth));
+    EXPECT_LT(largest_difference(elements, modal), 1e-8);
+    EXPECT_LT(largest_difference(modal, truth), tolerance);
   }
-  note_measured("modelings", largest_difference(elements, modal));
-  note_measured("abaqus", largest_difference(modal, truth));
-  EXPECT_LT(largest_difference(elements, modal), 1e-7);
-  EXPECT_LT(largest_difference(modal, truth), 1e-3);
-}
+};
+
+/// Five digits, the last of 52.361 worth 1e-5, and a mesh of their own.
+TEST_P(AbaqusFrequencies, UniformAreTheSame) { compare(2e-5); }
 
 INSTANTIATE_TEST_SUITE_P(
     Verification, AbaqusFrequencies,
     ::testing::Values(
         AbaqusCase{"straight", uniform, straight, {8.3552, 52.361, 146.61, 287.30, 474.93, 709.47}},
-        AbaqusCase{"tapered", tapered, straight, {10.988, 46.438, 115.40, 218.11, 354.89, 525.78}},
-        AbaqusCase{"curved", uniform, curved, {8.4604, 49.038, 142.75, 283.14, 470.47, 704.52}},
-        AbaqusCase{
-            "curved_tapered", tapered, curved, {11.110, 44.670, 113.23, 215.64, 352.29, 523.04}}),
+        AbaqusCase{"curved", uniform, curved, {8.4604, 49.038, 142.75, 283.14, 470.47, 704.52}}),
     [](const auto& test) { return test.param.name; });
 
-/// The frame of the first source by 40 elements a member, 720 unknowns: the dense solver sees all
+/// All published frequencies are 2.2e-4 to 3.3e-4 lower than ours, those of the first mode as those
+/// of the sixth. That is no mesh of beams too coarse for the modes, but another taper: how theirs
+/// is made is not stated (their static tips, in cantilever_test.cpp, are off likewise).
+class AbaqusTaperedFrequencies : public AbaqusFrequencies {};
+TEST_P(AbaqusTaperedFrequencies, AreNearlyTheSame) { compare(4e-4); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Verification, AbaqusTaperedFrequencies,
+    ::testing::Values(
+        AbaqusCase{"straight", tapered, straight, {10.988, 46.438, 115.40, 218.11, 354.89, 525.78}},
+        AbaqusCase{"curved", tapered, curved, {11.110, 44.670, 113.23, 215.64, 352.29, 523.04}}),
+    [](const auto& test) { return test.param.name; });
+
+/// The frame of the first source by 40 elements a member: the dense solver sees all
 /// of the matrices, the sparse one iterates on a few vectors.
 TEST(Eigensolvers, AgreeWithManyUnknowns) {
   Mechanism frame = portal_frame();
@@ -154,9 +173,9 @@ TEST(Eigensolvers, AgreeWithManyUnknowns) {
   ModesStudy study;
   study.count = 12;
   study.solver = ModesStudy::Solver::dense;
-  const auto dense = frequencies(frame, study, beam(40, 2));
+  const auto dense = frequencies(frame, study, beam(40, 1));
   study.solver = ModesStudy::Solver::sparse;
-  const auto sparse = frequencies(frame, study, beam(40, 2));
+  const auto sparse = frequencies(frame, study, beam(40, 1));
   ASSERT_EQ(sparse.size(), 12u);
   note_measured("difference", largest_difference(sparse, dense));
   EXPECT_LT(largest_difference(sparse, dense), 1e-9);

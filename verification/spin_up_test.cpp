@@ -108,7 +108,7 @@ TEST(SpinUp, GeneralizedAlphaIsOfSecondOrder) {
   const Tip coarse = by_step(0.02);
   const Tip fine = by_step(0.01);
   note_measured("ratio", coarse.transverse / fine.transverse);
-  EXPECT_LT(fine.transverse, 1e-3);
+  EXPECT_LT(fine.transverse, 1e-4);
   EXPECT_NEAR(coarse.transverse / fine.transverse, 4.0, 0.1);
   EXPECT_NEAR(coarse.axial / fine.axial, 4.0, 0.1);
 }
@@ -150,8 +150,8 @@ TEST(SpinUp, LargestDeflections) {
 /// strains alone takes the swinging out and leaves that.
 TEST(SpinUp, SteadyExtension) {
   const Mechanism rod = spun_beam();
-  TransientStudy study = transient(40.0, 40, 1e-6);
-  study.damping.stiffness = 0.3;
+  TransientStudy study = transient(40.0, 40, 1e-7);
+  study.damping.stiffness = 0.1;
   const double k = last_speed * std::sqrt(1.2 / 2.8e7);
   const double truth = std::tan(k * length) / k - length;
   for (const auto& settings : {exact_modes(6), beam(4, 3)}) {
@@ -159,8 +159,8 @@ TEST(SpinUp, SteadyExtension) {
     const Tip tip = tip_at(rod, motion.states.back());
     note_measured(settings.label + "_axial", std::abs(tip.axial - truth));
     note_measured(settings.label + "_transverse", std::abs(tip.transverse));
-    EXPECT_NEAR(tip.axial, truth, 1e-10) << settings.label;
-    EXPECT_NEAR(tip.transverse, 0.0, 1e-9) << settings.label;
+    EXPECT_NEAR(tip.axial, truth, 2e-9) << settings.label;
+    EXPECT_NEAR(tip.transverse, 0.0, 2e-9) << settings.label;
   }
 }
 

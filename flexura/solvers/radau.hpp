@@ -57,6 +57,7 @@ class Radau {
   bool refresh(const State& state, double h);
   void set_rates(const State& state, double h);
   double iterate(const State& state, double h);
+  void solve_stages(const State& state, double h, StepReport& report);
   double estimate(const State& state, double h);
   double gap_between(const State& state, double h);
 
@@ -69,7 +70,7 @@ class Radau {
   double last_step_ = 0.0;
   double factored_step_ = 0.0;
   bool fresh_ = false;
-  double contraction_ = 0.0;   // of the last step
+  double contraction_ = 0.0;   // of the iteration, the slowest since the matrices were made
   double force_change_ = 0.0;  // of the multipliers by the last iteration, relative
   Factor<double> real_;
   Factor<std::complex<double>> complex_;
@@ -138,6 +139,7 @@ bool Radau<System, State, Factor>::refresh(const State& state, double h) {
   system_.linearize(state);
   factored_step_ = h;
   fresh_ = true;
+  contraction_ = 0.0;
   return system_.factorize(std::pow(tableau_.real / h, 2), tableau_.real / h, real_) &&
          system_.factorize(tableau_.complex * tableau_.complex / (h * h), tableau_.complex / h,
                            complex_);
@@ -224,11 +226,37 @@ double Radau<System, State, Factor>::gap_between(const State& state, double h) {
   return 0.0;
 }
 
+/// The simplified Newton iteration with the matrices at hand. Its error is judged by its slowest
+/// contraction, as matrices of an earlier step may reduce what constraints decide fast, the rest
+/// not.
+template <class System, class State, template <class> class Factor>
+requires MotionProblem<System, State, Factor>
+void Radau<System, State, Factor>::solve_stages(const State& state, double h, StepReport& report) {
+  constexpr int most_iterations = 12;
+  constexpr double force_tolerance = 1e-6;
+  double before = 0.0;
+  for (int k = 1; k <= most_iterations; ++k) {
+    const double size = iterate(state, h);
+    ++report.iterations;
+    if (!std::isfinite(size)) break;
+    const double rate = k > 1 ? size / before : 0.5;
+    const bool accepted = report.outcome == StepOutcome::accepted;
+    if (k > 1 && !accepted) contraction_ = std::max(contraction_, rate);
+    if (k > 2 && rate > 0.9) break;
+    if (size < options_.newton_tolerance ||
+        (k > 1 && contraction_ < 1.0 &&
+         size * contraction_ / (1.0 - contraction_) < options_.newton_tolerance)) {
+      report.outcome = StepOutcome::accepted;
+      // forces may lag behind where constraints alone decide the coordinates
+      if (force_change_ < force_tolerance || rate > 0.5) break;
+    }
+    before = size;
+  }
+}
+
 template <class System, class State, template <class> class Factor>
 requires MotionProblem<System, State, Factor> StepReport
 Radau<System, State, Factor>::step(State& state, double h) {
-  constexpr int most_iterations = 12;
-  constexpr double force_tolerance = 1e-6;
   StepReport report;
   if (last_step_ == 0.0) {
     Factor<double> factor;
@@ -241,23 +269,7 @@ Radau<System, State, Factor>::step(State& state, double h) {
   if ((!same || contraction_ > 0.05) && !refresh(state, h)) return report;
   predict(state, h);
   for (int attempt = 0; attempt < 2; ++attempt) {
-    double before = 0.0;
-    for (int k = 1; k <= most_iterations; ++k) {
-      const double size = iterate(state, h);
-      ++report.iterations;
-      if (!std::isfinite(size)) break;
-      const double rate = k > 1 ? size / before : 0.5;
-      const bool accepted = report.outcome == StepOutcome::accepted;
-      if (k > 1 && !accepted) contraction_ = rate;
-      if (k > 2 && rate > 0.9) break;
-      if (size < options_.newton_tolerance ||
-          (k > 1 && size * rate / (1.0 - rate) < options_.newton_tolerance)) {
-        report.outcome = StepOutcome::accepted;
-        // forces may lag behind where constraints alone decide the coordinates
-        if (force_change_ < force_tolerance || rate > 0.5) break;
-      }
-      before = size;
-    }
+    solve_stages(state, h, report);
     if (report.outcome == StepOutcome::accepted || fresh_) break;
     // once more about where the step leads, with matrices of its own
     if (!refresh(state, h)) return report;
