@@ -233,7 +233,7 @@ template <class System, class State, template <class> class Factor>
 requires MotionProblem<System, State, Factor>
 void Radau<System, State, Factor>::solve_stages(const State& state, double h, StepReport& report) {
   constexpr int most_iterations = 12;
-  constexpr double force_tolerance = 1e-6;
+  const double force_tolerance = 1e4 * options_.newton_tolerance;  // relative
   double before = 0.0;
   for (int k = 1; k <= most_iterations; ++k) {
     const double size = iterate(state, h);
