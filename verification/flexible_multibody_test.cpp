@@ -1,4 +1,4 @@
-// Flexible bodies in large motion: the spin-up manoeuvre and the free flight of a beam (Simo and
+// Flexible bodies in large motion: the spin-up manoeuvre (Simo and
 // Vu-Quoc, J. Appl. Mech. 53, 1986), a swinging and a driven flexible link.
 #include <gtest/gtest.h>
 
@@ -116,52 +116,6 @@ TEST(SpinUpManoeuvre, GeneralizedAlphaMatchesToItsOrder) {
   const double fine = spin_up(exact_modes(6), study).u2;
   EXPECT_LT(fine, 1e-4);
   EXPECT_NEAR(coarse / fine, 4.0, 0.4);
-}
-
-// --- flight ---
-
-/// Thrown by a force and a moment at its lower end for 0.5 s (EA = GA = 1e4, EI = 100, mass per
-/// length 1; a homogeneous section: rotary inertia 0.01 per length, where the paper takes 10,
-/// and 2.5 s).
-struct Flight {
-  Mechanism beam;
-  TransientStudy study = study_of(0.7, 14, 1e-6);
-
-  Flight() {
-    GeneralSection section;
-    section.area = 1.0;
-    section.second_moment = 0.01;
-    section.shear_area = 2.0;
-    beam.material(1e4, 0.0).density(1.0).section(section);
-    beam.body("lower").free().body("upper");
-    beam.flexure("lower", "upper", LineAxis{{6.0, 0.0}, {0.0, 8.0}});
-    Load release = beam.load("lower", {-8.0, 0.0}, -80.0);
-    release.history = StepHistory{0.5};
-    study.loads = {beam.load("lower", {8.0, 0.0}, 80.0), release};
-  }
-};
-
-/// To what round-off in differences of places over short steps leaves, 1e-8.
-TEST(FlyingBeam, MomentaAndEnergyStayOnceItIsThrown) {
-  Flight flight;
-  flight.study.method = Method::energy_momentum;
-  flight.study.step = 0.01;
-  for (const ModelingSettings& settings : {exact_modes(4), beam(4, 2)}) {
-    const ModelingMotion motion = move(flight.beam, flight.study, settings);
-    const EnergyBalance& thrown = motion.states[11].energy;
-    const double energy = thrown.kinetic + thrown.strain;
-    for (std::size_t k = 11; k < motion.states.size(); ++k) {
-      const EnergyBalance& now = motion.states[k].energy;
-      note_measured("momentum", std::abs(now.momentum.x - 4.0));
-      note_measured("spin", std::abs(now.angular_momentum / thrown.angular_momentum - 1.0));
-      note_measured("energy", std::abs(now.kinetic + now.strain - energy) / energy);
-      EXPECT_NEAR(now.momentum.x, 4.0, 2e-7);  // the impulse, 8 * 0.5
-      EXPECT_NEAR(now.momentum.y, 0.0, 2e-7);
-      EXPECT_NEAR(now.angular_momentum, thrown.angular_momentum,
-                  1e-8 * std::abs(thrown.angular_momentum));
-      EXPECT_NEAR(now.kinetic + now.strain, energy, 1e-9 * energy) << settings.label;
-    }
-  }
 }
 
 // --- swinging and driven links ---

@@ -9,8 +9,8 @@ namespace flexura {
 
 /// A midpoint rule for the velocities of mass points with discrete derivatives of all forces:
 /// energy and momenta of a mechanism left alone stay as they are, to what Newton's iteration
-/// leaves. Order 2. `Discrete` has place(q, places), velocities(state, velocities), residual(from, to, change,
-/// r), with the problem of the other integrators as its system().
+/// leaves. Order 2. `Discrete` has place(q, places), velocities(state, velocities),
+/// residual(from, to, change, r), with the problem of the other integrators as its system().
 template <class Discrete, class State, template <class> class Factor, class Vector>
 class EnergyMomentum {
  public:
@@ -78,7 +78,7 @@ StepReport EnergyMomentum<Discrete, State, Factor, Vector>::step(State& state, d
     const double rate = size / before;
     // to the last digit, as the balance of energy is no better than the iteration leaves it
     if (size < options_.newton_tolerance &&
-        (rate > 0.8 || size < 1e-4 * options_.newton_tolerance)) {
+        (rate > 0.3 || size < 1e-4 * options_.newton_tolerance)) {
       discrete_.place(next.q, places);
       for (std::size_t g = 0; g < change.size(); ++g)
         velocities_[g] = (2.0 / h) * (places[g] - places_[g]) + (-1.0) * velocities_[g];
