@@ -25,7 +25,7 @@ Model make_cantilever(double arc_angle) {
   Material material;
   material.youngs_modulus = 1.0;
   model.materials.push_back(material);
-  model.sections.push_back({"unit", GeneralSection{1.0, 1.0, {}, {}}, {}});
+  model.sections.push_back({"unit", GeneralSection{1.0, 1.0, {}, {}, {}}, {}});
   model.bodies.resize(2);
   model.bodies[0].fixed = true;
   Flexure flexure;

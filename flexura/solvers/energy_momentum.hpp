@@ -9,9 +9,8 @@ namespace flexura {
 
 /// A midpoint rule for the velocities of mass points with discrete derivatives of all forces:
 /// energy and momenta of a mechanism left alone stay as they are, to what Newton's iteration
-/// leaves. Order
-/// 2. `Discrete` has place(q, places), velocities(state, velocities), residual(from, to, change,
-/// r), with the problem of the other integrators as its system().
+/// leaves. Order 2. `Discrete` has place(q, places), velocities(state, velocities),
+/// residual(from, to, change, r), with the problem of the other integrators as its system().
 template <class Discrete, class State, template <class> class Factor, class Vector>
 class EnergyMomentum {
  public:

@@ -76,7 +76,7 @@ StepReport TimeMarch<Integrator>::take(State& state, double h,
   return report;
 }
 
-/// Where Newton's method fails in a step, the step is taken in parts, down to a thousandth.
+/// Where Newton's method fails in a step, the step is taken in parts, and so on.
 template <class Integrator>
 template <class State>
 bool TimeMarch<Integrator>::advance_equally(State& state, double until,
@@ -91,11 +91,9 @@ bool TimeMarch<Integrator>::advance_equally(State& state, double until,
       h = std::min(h, goal - state.time);
       if (take(state, h, after).outcome != StepOutcome::accepted) {
         h *= 0.5;
-        if (h < 1e-3 * options_.step) return false;
+        if (h < options_.shortest) return false;
       } else if (stopped_) {
         return false;
-      } else {
-        h *= 2.0;
       }
     }
     state.time = goal;

@@ -68,6 +68,16 @@ void normalize(Vibrations& modes, const Eigen::VectorXd& squared_sizes) {
     modes.shapes.col(i) /= std::sqrt(squared_sizes[i]);
 }
 
+/// Takes out what rounding has left in a shape of those before it: zero frequencies answer the
+/// least load without bound.
+void part_from_lower(Vibrations& modes, const Eigen::MatrixXd& mass) {
+  for (Eigen::Index k = 1; k < modes.shapes.cols(); ++k) {
+    const Eigen::VectorXd momentum = mass * modes.shapes.col(k);
+    const Eigen::VectorXd shares = modes.shapes.leftCols(k).transpose() * momentum;
+    modes.shapes.col(k) -= modes.shapes.leftCols(k) * shares;
+  }
+}
+
 /// Spectra's view of the operator.
 struct ShiftedSolve {
   using Scalar = double;
@@ -91,25 +101,55 @@ struct MassProduct {
   }
 };
 
+/// Eigenvectors of B A^-1 B^T with their eigenvalues 1/(square + shift).
+struct Inverse {
+  Inverse(const Bordered& bordered, const Eigen::MatrixXd& root)
+      : moved(bordered.solve(root.transpose())) {
+    const Eigen::MatrixXd product = root * moved;
+    eigen.compute(0.5 * (product + product.transpose()));
+  }
+  /// The largest eigenvalue but for those of squares below the shift, by that of a square of zero.
+  double beyond(double shift) const {
+    double largest = 0.0;
+    for (const double theta : eigen.eigenvalues())
+      if (const double share = std::abs(theta) * shift; share < 0.5)
+        largest = std::max(largest, share);
+    return largest;
+  }
+
+  Eigen::MatrixXd moved;  // A^-1 B^T
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
+};
+
 }  // namespace
 
 Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
                             const Eigen::MatrixXd& constraints, int count) {
+  constexpr double most = 1e3;     // shift, in ratios of the traces
+  constexpr double enough = 1e-4;  // beside zero frequencies: eleven digits of the others are left
   Vibrations modes;
   const Eigen::MatrixXd root = mass_root(mass);
-  const double unit = stiffness.trace() / std::max(mass.trace(), 1e-300);
-  double shift = 0.0;
-  Bordered bordered(stiffness, mass, constraints, shift);
-  for (double share = 1e-14; !bordered.is_regular(); share *= 10.0) {
-    if (share > 1e3 || root.rows() == 0) return modes;
-    shift = share * std::abs(unit);
-    bordered = Bordered(stiffness, mass, constraints, shift);
+  const double unit = std::abs(stiffness.trace() / std::max(mass.trace(), 1e-300));
+  double share = 0.0;
+  Bordered bordered(stiffness, mass, constraints, 0.0);
+  const auto raise = [&] {
+    share = std::max(1e-14, 10.0 * share);
+    bordered = Bordered(stiffness, mass, constraints, share * unit);
+  };
+  while (!bordered.is_regular()) {
+    if (share > most || root.rows() == 0) return modes;
+    raise();
   }
-  const Eigen::MatrixXd moved = bordered.solve(root.transpose());
-  const Eigen::MatrixXd inverse = root * moved;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (inverse + inverse.transpose()));
-  if (eigen.info() != Eigen::Success) return modes;
-  const Eigen::VectorXd& theta = eigen.eigenvalues();  // 1/(square + shift)
+  Inverse inverse(bordered, root);
+  // a shift far below the other frequencies hides them behind those that are zero
+  while (share > 0.0 && share < most && inverse.eigen.info() == Eigen::Success &&
+         inverse.beyond(share * unit) < enough) {
+    raise();
+    inverse = Inverse(bordered, root);
+  }
+  if (inverse.eigen.info() != Eigen::Success) return modes;
+  const double shift = share * unit;
+  const Eigen::VectorXd& theta = inverse.eigen.eigenvalues();
   const double largest = theta.cwiseAbs().maxCoeff();
   std::vector<std::pair<double, Eigen::Index>> found;
   for (Eigen::Index i = 0; i < theta.size(); ++i) {
@@ -124,9 +164,10 @@ Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::Matri
   for (Eigen::Index k = 0; k < wanted; ++k) {
     const auto [square, i] = found[static_cast<std::size_t>(k)];
     modes.squares[k] = square;
-    modes.shapes.col(k) = moved * eigen.eigenvectors().col(i);
+    modes.shapes.col(k) = inverse.moved * inverse.eigen.eigenvectors().col(i);
   }
   normalize(modes, (modes.shapes.transpose() * mass * modes.shapes).diagonal());
+  if (shift > 0.0) part_from_lower(modes, mass);
   modes.found = true;
   return modes;
 }
