@@ -273,8 +273,9 @@ std::vector<double> ExactMotionPort::adopt(std::span<const SectionState> section
 
 void ExactMotionPort::prolong(std::span<const double> internal, std::span<double> refined) const {
   std::fill(refined.begin(), refined.end(), 0.0);
-  const auto fine = static_cast<std::size_t>(pieces_.modes + more_modes);
-  const auto fine_forces = static_cast<std::size_t>(force_modes(pieces_.modes + more_modes));
+  const int fine_modes = pieces_.modes + more_modes;
+  const auto fine = static_cast<std::size_t>(fine_modes);
+  const auto fine_forces = static_cast<std::size_t>(force_modes(fine_modes));
   std::size_t from = 0, to = 0;
   const auto copy = [&](std::size_t coarse, std::size_t finer) {
     for (std::size_t p = 0; p < pieces_.pieces(); ++p, from += coarse, to += finer)
