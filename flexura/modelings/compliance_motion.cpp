@@ -62,7 +62,7 @@ CompliantMotionPort::CompliantMotionPort(const FlexureProperties& flexure,
   const Eigen::Matrix3d compliance =
       scale.asDiagonal() * compliance_matrix(flexure_, at_) * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(compliance);
-  const Eigen::Vector3d values = principal.eigenvalues();
+  const Eigen::Vector3d& values = principal.eigenvalues();
   for (int i = 0; i < 3; ++i) {
     if (!(values[i] > vanishing * values[2])) continue;
     const auto column = shapes_.cols();

@@ -83,9 +83,10 @@ bool TimeMarch<Integrator>::advance_equally(State& state, double until,
                                             const std::function<bool(double)>& after) {
   const double start = state.time;
   const double span = until - start;
-  const double count = std::max(1.0, std::ceil(span / options_.step - 1e-6));
-  for (double k = 1.0; k <= count; k += 1.0) {
-    const double goal = k == count ? until : start + span * k / count;
+  const auto count = std::max(1LL, std::llround(std::ceil(span / options_.step - 1e-6)));
+  for (auto k = 1LL; k <= count; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count);
+    const double goal = k == count ? until : start + span * share;
     double h = goal - state.time;
     while (goal - state.time > 1e-12 * span) {
       h = std::min(h, goal - state.time);
