@@ -30,6 +30,13 @@ System::System(SystemLayout layout) : layout_(std::move(layout)) {
   }
 }
 
+std::size_t System::modeled_size() const {
+  std::size_t size = size_;
+  for (const auto& member : layout_.members)
+    size -= member.port->internal_size() - member.port->nodal_size();
+  return size;
+}
+
 void System::number_unknowns() {
   Numbering numbering(layout_);
   bodies_ = std::move(numbering.bodies);

@@ -42,6 +42,8 @@ class System {
 
   /// Number of all unknowns, internal ones included.
   std::size_t size() const { return size_; }
+  /// Likewise, but for those that only serve the iteration.
+  std::size_t modeled_size() const;
   /// The unknowns of the undeformed, unloaded mechanism: zeros.
   std::vector<double> initial_state() const { return std::vector<double>(size_, 0.0); }
 

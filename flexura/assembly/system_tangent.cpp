@@ -251,9 +251,9 @@ void System::expand(const Eigen::VectorXd& reduced, Along along, std::vector<dou
     const std::size_t m = layout_.members[k].port->internal_size();
     const double* u = scratch_.data() + index.scratch;
     double* out = step.data() + index.internal;
-    for (std::size_t i = 0; i < m; ++i, u += 4)
-      out[i] = -residual * u[0] - u[1] * load[0] - u[2] * load[1] - u[3] * load[2];
+    layout_.members[k].port->advance(u, residual, load, out);
     if (!layout_.members[k].port->feels_surroundings()) continue;
+    u += 4 * m;
     const int own = index.unknowns[PortUnknown::base_section];
     const double turn = own >= 0 ? reduced[own] : 0.0;
     const double field_growth = fields_grow() ? growth : 0.0;

@@ -4,6 +4,14 @@
 
 namespace flexura {
 
+void TwoPort::advance(const double* scratch, double residual, const Eigen::Vector3d& load,
+                      double* step) const {
+  const std::size_t m = internal_size();
+  for (std::size_t i = 0; i < m; ++i, scratch += 4)
+    step[i] =
+        -residual * scratch[0] - scratch[1] * load[0] - scratch[2] * load[1] - scratch[3] * load[2];
+}
+
 std::vector<Vec2> TwoPort::drawn_axis(std::span<const SectionState> sections,
                                       std::span<const double> /*internal*/) const {
   std::vector<Vec2> axis;

@@ -63,7 +63,9 @@ class TwoPort {
 
   /// Number m of internal unknowns; they start at zero.
   virtual std::size_t internal_size() const = 0;
-  /// Doubles of scratch that `linearize` needs, 4 m or more.
+  /// How many of them count as unknowns of the modeling: all but those that serve the iteration.
+  virtual std::size_t nodal_size() const { return internal_size(); }
+  /// Doubles of scratch that `linearize` needs, 4 m or more unless `advance` is the port's own.
   virtual std::size_t scratch_size() const = 0;
 
   /// Evaluates at (load, internal) and eliminates the internal unknowns. The first 4 m doubles of
@@ -71,6 +73,10 @@ class TwoPort {
   /// d(internal) = -u - Z d(load). Does not allocate.
   virtual TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
                                 double* scratch) const = 0;
+  /// From that scratch, the change of the internal unknowns while the load changes: -Z d(load), and
+  /// `residual` times -u.
+  virtual void advance(const double* scratch, double residual, const Eigen::Vector3d& load,
+                       double* step) const;
 
   /// Whether the flexure carries loads along its length, or its temperature changes.
   virtual bool feels_surroundings() const { return false; }

@@ -139,6 +139,11 @@ Jet2<N, T> sqrt(const Jet2<N, T>& a) {
   return a.chain(r, 0.5 / r, -0.25 / (r * a.value));
 }
 template <std::size_t N, class T>
+Jet2<N, T> log(const Jet2<N, T>& a) {
+  const T r = 1.0 / a.value;
+  return a.chain(std::log(a.value), r, -r * r);
+}
+template <std::size_t N, class T>
 Jet2<N, T> sin(const Jet2<N, T>& a) {
   const T s = sin_of(a.value);
   return a.chain(s, cos_of(a.value), -s);

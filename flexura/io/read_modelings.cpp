@@ -38,6 +38,31 @@ BeamSettings read_beam(Reading& reading, TableReader& table) {
   return beam;
 }
 
+ContinuumSettings read_continuum(Reading& reading, TableReader& table) {
+  ContinuumSettings continuum;
+  const auto count = [&](const char* key, std::optional<int>& value) {
+    if (table.has(key)) value = table.integer(key, 1);
+  };
+  count("elements", continuum.elements);
+  count("across", continuum.across);
+  count("order", continuum.order);
+  count("order_across", continuum.order_across);
+  const auto is = [&](const char* key, const Vocabulary& words, const char* second) {
+    const auto place = table.find(key);
+    return place && read_word(reading, *place, key, words) == second;
+  };
+  if (is("plane", vocabulary::planes(), "strain")) continuum.plane = PlaneKind::strain;
+  if (is("law", vocabulary::laws(), "neo_hookean"))
+    continuum.law = ContinuumSettings::Law::neo_hookean;
+  continuum.contracting = is("ends", vocabulary::face_ends(), "contracting");
+  continuum.enhanced = table.boolean("enhanced", continuum.enhanced);
+  for (const char* key : {"axial", "shear"})
+    if (!table.boolean(key, true))
+      reading.report_key(table.path(), key, table.position(key),
+                         "a continuum has all strains there are; beams can leave them out");
+  return continuum;
+}
+
 /// Euler and Bernoulli's beam does not shear: that is what its name says.
 void settle_shear(Reading& reading, TableReader& table, ModelingSettings& settings) {
   const TomlNode* theory = nullptr;
@@ -58,6 +83,7 @@ ModelingSettings::Kind default_kind(const std::string& name) {
   if (name == "exact") return ExactSettings{};
   if (name == "beam") return BeamSettings{};
   if (name == "bcm") return BcmSettings{};
+  if (name == "continuum") return ContinuumSettings{};
   return LinearSettings{};
 }
 
@@ -66,6 +92,7 @@ ModelingSettings::Kind read_kind(Reading& reading, TableReader& table, const std
   if (name == "exact") return read_exact(table);
   if (name == "beam") return read_beam(reading, table);
   if (name == "bcm") return BcmSettings{table.integer("elements", BcmSettings{}.elements)};
+  if (name == "continuum") return read_continuum(reading, table);
   const auto parameters = name == "prbm" ? table.find("parameters") : std::nullopt;
   if (parameters) return read_prbm_parameters(reading, *parameters);
   return default_kind(name);

@@ -260,7 +260,9 @@ const Vocabulary& modeling(const std::string& modeling) {
       {"prbm", with({"parameters"})},
       {"exact", with({"modes"})},
       {"beam", with({"theory", "elements", "order"})},
-      {"bcm", with({"elements"})}};
+      {"bcm", with({"elements"})},
+      {"continuum",
+       with({"elements", "across", "order", "order_across", "plane", "law", "enhanced", "ends"})}};
   const auto at = particular.find(modeling);
   return at == particular.end() ? common : at->second;
 }
@@ -292,7 +294,22 @@ const Vocabulary& masses() {
 }
 
 const Vocabulary& modelings() {
-  static const Vocabulary v{{"linear", "scmbm", "prbm", "exact", "beam", "bcm"}, {"continuum"}};
+  static const Vocabulary v{{"linear", "scmbm", "prbm", "exact", "beam", "bcm", "continuum"}, {}};
+  return v;
+}
+
+const Vocabulary& planes() {
+  static const Vocabulary v{{"stress", "strain"}, {}};
+  return v;
+}
+
+const Vocabulary& laws() {
+  static const Vocabulary v{{"st_venant_kirchhoff", "neo_hookean"}, {}};
+  return v;
+}
+
+const Vocabulary& face_ends() {
+  static const Vocabulary v{{"rigid", "contracting"}, {}};
   return v;
 }
 

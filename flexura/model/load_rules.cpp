@@ -94,7 +94,8 @@ bool carries_fields(const ModelingSettings& settings) {
                ? settings.axial && settings.shear
                : beam->theory != BeamSettings::Theory::printed;
   return !std::holds_alternative<PrbmSettings>(settings.kind) &&
-         !std::holds_alternative<BcmSettings>(settings.kind);
+         !std::holds_alternative<BcmSettings>(settings.kind) &&
+         !std::holds_alternative<ContinuumSettings>(settings.kind);
 }
 
 }  // namespace

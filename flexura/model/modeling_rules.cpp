@@ -158,6 +158,23 @@ struct ModelingRules {
     mistakes.add(path,
                  fmt::format("modeling bcm is for straight flexures; this model has {}", curved));
   }
+  void operator()(const ContinuumSettings& continuum) const {
+    const auto between = [&](const char* key, const std::optional<int>& value, int least,
+                             int most) {
+      if (value) mistakes.require_between(path / key, *value, least, most);
+    };
+    between("elements", continuum.elements, 2, 100000);
+    between("across", continuum.across, 1, 200);
+    between("order", continuum.order, 1, 8);
+    between("order_across", continuum.order_across, 1, 8);
+    for (const Flexure& flexure : model.flexures) {
+      if (flexure.section < model.sections.size() &&
+          std::holds_alternative<CircleSection>(model.sections[flexure.section].shape))
+        mistakes.add(path, fmt::format("modeling continuum is for sections of a thickness and a "
+                                       "width; '{}' is round",
+                                       flexure.name));
+    }
+  }
 };
 
 }  // namespace

@@ -10,6 +10,7 @@ struct Name {
   const char* operator()(const ExactSettings&) const { return "exact"; }
   const char* operator()(const BeamSettings&) const { return "beam"; }
   const char* operator()(const BcmSettings&) const { return "bcm"; }
+  const char* operator()(const ContinuumSettings&) const { return "continuum"; }
 };
 
 }  // namespace

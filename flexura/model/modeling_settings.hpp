@@ -7,6 +7,7 @@
 
 #include "flexura/core/diagnostics.hpp"
 #include "flexura/core/vec2.hpp"
+#include "flexura/energy/continuum.hpp"
 
 namespace flexura {
 
@@ -65,10 +66,24 @@ struct BcmSettings {
   int elements = 1;  ///< per flexure
 };
 
+/// Quadrilaterals at large displacement, of Gauss-Lobatto nodes. What is absent follows from the
+/// tolerance.
+struct ContinuumSettings {
+  enum class Law { st_venant_kirchhoff, neo_hookean };
+  std::optional<int> elements;  ///< along every flexure
+  std::optional<int> across;    ///< elements across the thickness
+  std::optional<int> order;
+  std::optional<int> order_across;  ///< by default `order`
+  PlaneKind plane = PlaneKind::stress;
+  Law law = Law::st_venant_kirchhoff;
+  bool enhanced = true;      ///< elements of order 1 do not lock in bending
+  bool contracting = false;  ///< end faces stay plane, but may get thicker or thinner
+};
+
 /// A modeling as a study asks for it.
 struct ModelingSettings {
   using Kind = std::variant<LinearSettings, ScmbmSettings, PrbmSettings, ExactSettings,
-                            BeamSettings, BcmSettings>;
+                            BeamSettings, BcmSettings, ContinuumSettings>;
 
   Kind kind;
   std::string label;  ///< names the results; by default the modeling's name
@@ -78,7 +93,7 @@ struct ModelingSettings {
   SourcePosition source;
 };
 
-/// "linear", "scmbm", "prbm", "exact", "beam" or "bcm".
+/// "linear", "scmbm", "prbm", "exact", "beam", "bcm" or "continuum".
 std::string modeling_name(const ModelingSettings& settings);
 
 }  // namespace flexura

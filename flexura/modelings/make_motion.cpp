@@ -36,6 +36,7 @@ struct MotionPortMaker {
   Port operator()(const BcmSettings& settings) const {
     return make_bcm_motion_port(flexure, inertia, settings);
   }
+  Port operator()(const ContinuumSettings&) const { return nullptr; }
 };
 
 }  // namespace

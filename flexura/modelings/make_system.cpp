@@ -6,6 +6,7 @@
 #include "flexura/modelings/bcm.hpp"
 #include "flexura/modelings/beam.hpp"
 #include "flexura/modelings/compliance.hpp"
+#include "flexura/modelings/continuum.hpp"
 #include "flexura/modelings/exact.hpp"
 #include "flexura/modelings/flexure_properties.hpp"
 #include "flexura/modelings/prbm.hpp"
@@ -21,6 +22,8 @@ struct PlacedPort {
 
 struct PortMaker {
   const FlexureProperties& flexure;
+  const Material& material;
+  const StripShape& shape;
   double tolerance;
   std::optional<double> load_ratio;
 
@@ -46,6 +49,9 @@ struct PortMaker {
   }
   PlacedPort operator()(const BcmSettings& settings) const {
     return {make_bcm_port(flexure, settings), end()};
+  }
+  PlacedPort operator()(const ContinuumSettings& settings) const {
+    return {make_continuum_port(shape, material, settings, tolerance), end()};
   }
 };
 
@@ -103,7 +109,10 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
         flexure_properties(model, flexure, settings.axial, settings.shear);
     properties.field = field_on(model, k, fields);
     const auto ratio = load_ratios.empty() ? std::nullopt : load_ratios[k];
-    PlacedPort placed = std::visit(PortMaker{properties, settings.tolerance, ratio}, settings.kind);
+    const StripShape shape(properties.axis, model.sections[flexure.section].shape);
+    const PortMaker maker{properties, model.materials[flexure.material], shape, settings.tolerance,
+                          ratio};
+    PlacedPort placed = std::visit(maker, settings.kind);
     const Vec2 end = properties.axis.position(properties.axis.length());
     SystemLayout::Member member;
     member.base = flexure.base;

@@ -130,7 +130,7 @@ ModelingPath run_inverse(const Model& model, const InverseStudy& study,
   ModelingPath path;
   path.label = settings.label;
   path.modeling = modeling_name(settings);
-  path.unknowns = static_cast<int>(system.size());
+  path.unknowns = static_cast<int>(system.modeled_size());
   path.termination.status = Status::converged;
   Newton newton({1e-12, 40, 8});
   const auto hold_at = [&](double factor) {

@@ -82,7 +82,7 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
   path.steps = traced.steps;
   path.iterations = traced.iterations;
   path.seconds = took.count();
-  path.unknowns = static_cast<int>(traced.systems.back()->size());
+  path.unknowns = static_cast<int>(traced.systems.back()->modeled_size());
   for (const TracedState& s : traced.states) {
     System& system = *traced.systems[s.system];
     system.set_load_factor(s.load_factor);

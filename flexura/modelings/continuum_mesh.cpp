@@ -1,0 +1,234 @@
+#include "flexura/modelings/continuum_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flexura/core/quadrature.hpp"
+
+namespace flexura {
+
+StripShape::StripShape(AxisCurve curve, Section of_it)
+    : axis(std::move(curve)), section(std::move(of_it)) {}
+
+double StripShape::thickness(double s) const {
+  const SectionProperties p = section_properties(section, s, axis.length());
+  return std::sqrt(12.0 * p.second_moment / p.area);
+}
+
+double StripShape::width(double s) const {
+  return section_properties(section, s, axis.length()).area / thickness(s);
+}
+
+std::vector<double> StripShape::breaks() const {
+  std::vector<double> all = axis.breaks();
+  const std::vector<double> own = section_breaks(section, axis.length());
+  all.insert(all.end(), own.begin(), own.end());
+  std::sort(all.begin(), all.end());
+  std::vector<double> breaks{0.0};
+  const double same = 1e-9 * axis.length();
+  for (const double s : all)
+    if (s > breaks.back() + same && s < axis.length() - same) breaks.push_back(s);
+  breaks.push_back(axis.length());
+  return breaks;
+}
+
+LagrangeLine::LagrangeLine(int order) : places_(gauss_lobatto(order + 1).nodes) {}
+
+std::vector<double> LagrangeLine::values(double x) const {
+  std::vector<double> values(places_.size(), 1.0);
+  for (std::size_t a = 0; a < places_.size(); ++a)
+    for (std::size_t b = 0; b < places_.size(); ++b)
+      if (b != a) values[a] *= (x - places_[b]) / (places_[a] - places_[b]);
+  return values;
+}
+
+std::vector<double> LagrangeLine::slopes(double x) const {
+  std::vector<double> slopes(places_.size(), 0.0);
+  for (std::size_t a = 0; a < places_.size(); ++a) {
+    for (std::size_t left_out = 0; left_out < places_.size(); ++left_out) {
+      if (left_out == a) continue;
+      double product = 1.0 / (places_[a] - places_[left_out]);
+      for (std::size_t b = 0; b < places_.size(); ++b)
+        if (b != a && b != left_out) product *= (x - places_[b]) / (places_[a] - places_[b]);
+      slopes[a] += product;
+    }
+  }
+  return slopes;
+}
+
+double StripMesh::station(std::size_t column) const {
+  const std::size_t p = line.order();
+  const std::size_t e = std::min(column / p, along - 1);
+  const double half = 0.5 * (stations[e + 1] - stations[e]);
+  return stations[e] + half * (1.0 + line.place(column - e * p));
+}
+
+std::size_t StripMesh::find(double s, double& xi) const {
+  const auto after = std::upper_bound(stations.begin() + 1, stations.end() - 1, s);
+  const auto e = static_cast<std::size_t>(after - stations.begin()) - 1;
+  xi = std::clamp(2.0 * (s - stations[e]) / (stations[e + 1] - stations[e]) - 1.0, -1.0, 1.0);
+  return e;
+}
+
+namespace {
+
+/// `count` elements over the pieces between breaks, each of which gets one at least.
+std::vector<double> even_stations(const std::vector<double>& breaks, std::size_t count) {
+  const std::size_t pieces = breaks.size() - 1;
+  std::vector<std::size_t> share(pieces, 1);
+  for (std::size_t left = count > pieces ? count - pieces : 0; left > 0; --left) {
+    std::size_t longest = 0;
+    const auto size = [&](std::size_t k) {
+      return (breaks[k + 1] - breaks[k]) / static_cast<double>(share[k]);
+    };
+    for (std::size_t k = 1; k < pieces; ++k)
+      if (size(k) > size(longest) * (1.0 + 1e-12)) longest = k;
+    ++share[longest];
+  }
+  std::vector<double> stations{0.0};
+  for (std::size_t k = 0; k < pieces; ++k)
+    for (std::size_t i = 1; i <= share[k]; ++i)
+      stations.push_back(i == share[k]
+                             ? breaks[k + 1]
+                             : breaks[k] + (breaks[k + 1] - breaks[k]) * static_cast<double>(i) /
+                                               static_cast<double>(share[k]));
+  return stations;
+}
+
+/// Short elements at both ends, and between breaks none that turns by more than `turn` or is longer
+/// than `share` of the flexure.
+std::vector<double> graded_stations(const StripShape& shape, double turn, double share) {
+  const double length = shape.axis.length();
+  std::vector<double> breaks = shape.breaks();
+  const double layer[2] = {shape.thickness(0.0), shape.thickness(length)};
+  for (const double multiple : {0.5, 2.0, 6.0}) {
+    if (multiple * layer[0] < 0.2 * length) breaks.push_back(multiple * layer[0]);
+    if (multiple * layer[1] < 0.2 * length) breaks.push_back(length - multiple * layer[1]);
+  }
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  std::vector<double> stations{0.0};
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const double a = breaks[k];
+    const double b = breaks[k + 1];
+    const double turned = std::abs(shape.axis.tangent_angle(b) - shape.axis.tangent_angle(a));
+    const double pieces =
+        std::max({1.0, std::ceil(turned / turn), std::ceil((b - a) / (share * length))});
+    for (double i = 1.0; i < pieces; i += 1.0) stations.push_back(a + (b - a) * i / pieces);
+    stations.push_back(b);
+  }
+  return stations;
+}
+
+void place_nodes(StripMesh& mesh, const StripShape& shape) {
+  const Vec2 start = shape.axis.position(0.0);
+  const std::size_t q = mesh.cross_line.order();
+  for (std::size_t c = 0; c < mesh.columns; ++c) {
+    const double s = c + 1 == mesh.columns ? mesh.length : mesh.station(c);
+    const Vec2 n = perp(unit(shape.axis.tangent_angle(s)));
+    const double half = 0.5 * shape.thickness(s);
+    for (std::size_t r = 0; r < mesh.rows; ++r) {
+      const std::size_t e = std::min(r / q, mesh.across - 1);
+      const double along_element = 0.5 * (1.0 + mesh.cross_line.place(r - e * q));
+      const double eta =
+          2.0 * (static_cast<double>(e) + along_element) / static_cast<double>(mesh.across) - 1.0;
+      mesh.nodes.push_back(shape.axis.position(s) - start + eta * half * n);
+    }
+  }
+}
+
+void place_points(StripMesh& mesh) {
+  const QuadratureRule& xi = gauss_legendre(static_cast<int>(mesh.line.order()) + 1);
+  const QuadratureRule& eta = gauss_legendre(static_cast<int>(mesh.cross_line.order()) + 1);
+  for (std::size_t i = 0; i < xi.nodes.size(); ++i) {
+    for (std::size_t j = 0; j < eta.nodes.size(); ++j) {
+      mesh.points.push_back({xi.nodes[i], eta.nodes[j], xi.weights[i] * eta.weights[j]});
+      const auto nx = mesh.line.values(xi.nodes[i]);
+      const auto dx = mesh.line.slopes(xi.nodes[i]);
+      const auto ny = mesh.cross_line.values(eta.nodes[j]);
+      const auto dy = mesh.cross_line.slopes(eta.nodes[j]);
+      for (std::size_t a = 0; a < nx.size(); ++a) {
+        for (std::size_t b = 0; b < ny.size(); ++b) {
+          mesh.values.push_back(nx[a] * ny[b]);
+          mesh.by_xi.push_back(dx[a] * ny[b]);
+          mesh.by_eta.push_back(nx[a] * dy[b]);
+        }
+      }
+    }
+  }
+}
+
+void map_points(StripMesh& mesh, const StripShape& shape) {
+  const std::size_t per = mesh.nodes_per_element();
+  mesh.maps.reserve(mesh.along * mesh.across * mesh.points.size());
+  for (std::size_t ex = 0; ex < mesh.along; ++ex) {
+    const double half = 0.5 * (mesh.stations[ex + 1] - mesh.stations[ex]);
+    for (std::size_t ey = 0; ey < mesh.across; ++ey) {
+      for (std::size_t g = 0; g < mesh.points.size(); ++g) {
+        Vec2 by_xi, by_eta;
+        for (std::size_t a = 0; a < per; ++a) {
+          const Vec2 node = mesh.nodes[mesh.element_node(ex, ey, a)];
+          by_xi = by_xi + mesh.by_xi[g * per + a] * node;
+          by_eta = by_eta + mesh.by_eta[g * per + a] * node;
+        }
+        const double area = cross(by_xi, by_eta);
+        const double s = mesh.stations[ex] + half * (1.0 + mesh.points[g].xi);
+        mesh.maps.push_back({{by_eta.y / area, -by_eta.x / area, -by_xi.y / area, by_xi.x / area},
+                             area * mesh.points[g].weight * shape.width(s)});
+      }
+    }
+  }
+}
+
+/// What the tolerance needs where the settings do not say, from the convergence of cantilevers and
+/// of the arc chain (docs/continuum.md).
+struct Needs {
+  int order = 6;
+  int order_across = 3;
+  double turn = 0.5;
+  double share = 0.25;
+};
+Needs needs_of(double tolerance) {
+  if (tolerance > 3e-4) return {4, 2, 0.6, 0.34};
+  if (tolerance > 1e-5) return {5, 3, 0.5, 0.25};
+  return {6, 4, 0.5, 0.2};
+}
+
+}  // namespace
+
+StripMesh make_strip_mesh(const StripShape& shape, const ContinuumSettings& settings,
+                          double tolerance) {
+  const Needs needs = needs_of(tolerance);
+  StripMesh mesh;
+  const int order = settings.order.value_or(settings.elements ? 2 : needs.order);
+  const int order_across =
+      settings.order_across.value_or(settings.order ? order : std::min(order, needs.order_across));
+  mesh.line = LagrangeLine(order);
+  mesh.cross_line = LagrangeLine(order_across);
+  mesh.stations = settings.elements
+                      ? even_stations(shape.breaks(), static_cast<std::size_t>(*settings.elements))
+                      : graded_stations(shape, needs.turn, needs.share);
+  mesh.along = mesh.stations.size() - 1;
+  mesh.across = static_cast<std::size_t>(settings.across.value_or(order_across == 1 ? 8 : 1));
+  mesh.columns = mesh.along * static_cast<std::size_t>(order) + 1;
+  mesh.rows = mesh.across * static_cast<std::size_t>(order_across) + 1;
+  mesh.length = shape.axis.length();
+  mesh.chord = shape.axis.position(mesh.length) - shape.axis.position(0.0);
+  place_nodes(mesh, shape);
+  place_points(mesh);
+  map_points(mesh, shape);
+  return mesh;
+}
+
+MeshFold sharpest_bend(const StripShape& shape) {
+  constexpr int looks = 200;
+  MeshFold worst;
+  for (int k = 0; k <= looks; ++k) {
+    const double s = shape.axis.length() * k / looks;
+    const double ratio = 1.0 - 0.5 * std::abs(shape.axis.curvature(s)) * shape.thickness(s);
+    if (ratio < worst.ratio) worst = {s, ratio};
+  }
+  return worst;
+}
+
+}  // namespace flexura
