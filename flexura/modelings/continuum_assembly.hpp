@@ -16,7 +16,8 @@ class ElementAssembly {
   ElementAssembly(const StripMesh& mesh, const Density& density)
       : mesh_(mesh), density_(density), nodes_(mesh.nodes_per_element()) {}
 
-  /// `gaps` receives the strains of the places and the enhanced ones less the independent ones.
+  /// `gaps` receives the strains of the places and the enhanced ones less the independent ones,
+  /// if it is not null.
   void assemble(std::size_t element, const ElementState& state, const EnhancedStrains* modes,
                 ElementTangent& out, double* gaps) {
     out.energy = 0.0;
@@ -26,7 +27,8 @@ class ElementAssembly {
     own_ = {};
     out.rest = {};
     for (std::size_t g = 0; g < mesh_.points.size(); ++g)
-      add_point(element * mesh_.points.size() + g, g, state, modes, out, gaps + 3 * g);
+      add_point(element * mesh_.points.size() + g, g, state, modes, out,
+                gaps ? gaps + 3 * g : nullptr);
     if (modes) eliminate_enhanced(out);
   }
 
@@ -55,8 +57,10 @@ class ElementAssembly {
         for (std::size_t m = 0; m < enhanced_modes; ++m)
           total[i] += extra[i][m] * state.enhanced[m];
     }
-    for (std::size_t i = 0; i < 3; ++i) gap[i] = total[i] - state.strains[3 * g + i];
-    PointEnergy point = point_energy(density_, state.strains + 3 * g, total);
+    const double* own = state.strains ? state.strains + 3 * g : total.data();
+    if (gap)
+      for (std::size_t i = 0; i < 3; ++i) gap[i] = total[i] - own[i];
+    PointEnergy point = point_energy(density_, own, total);
     out.energy += map.volume * point.energy;
     for (std::size_t i = 0; i < 3; ++i) {
       point.stress[i] *= map.volume;

@@ -63,7 +63,7 @@ struct EnhancedStrains {
 };
 
 /// State of one element of N nodes: places of its nodes, strains at the quadrature points (three
-/// each), enhanced strains or nothing.
+/// each; null where they are those of the places), enhanced strains or nothing.
 struct ElementState {
   const Vec2* places = nullptr;
   const double* strains = nullptr;

@@ -7,14 +7,13 @@
 #include "flexura/modelings/continuum_port.hpp"
 
 namespace flexura {
-namespace {
 
-/// Displacements of all nodes at internal unknowns.
-std::vector<Vec2> displacements(const ContinuumStrip& strip, std::span<const double> y) {
+std::vector<Vec2> strip_displacements(const ContinuumStrip& strip, const double* nodes,
+                                      const double* base, const double* action) {
   const StripMesh& mesh = strip.mesh;
   StripFace faces[2] = {strip.base_face, strip.action_face};
-  faces[0].move(y.data() + strip.unknowns.base_face);
-  faces[1].move(y.data() + strip.unknowns.action_face);
+  faces[0].move(base);
+  faces[1].move(action);
   std::vector<Vec2> moved;
   moved.reserve(mesh.nodes.size());
   for (std::size_t c = 0; c < mesh.columns; ++c) {
@@ -23,11 +22,18 @@ std::vector<Vec2> displacements(const ContinuumStrip& strip, std::span<const dou
         moved.push_back(faces[c == 0 ? 0 : 1].place(r) - mesh.nodes[mesh.node(c, r)]);
         continue;
       }
-      const double* u = y.data() + strip.unknowns.node(c, r);
+      const double* u = nodes + strip.unknowns.node(c, r);
       moved.push_back(mesh.length * Vec2{u[0], u[1]});
     }
   }
   return moved;
+}
+
+namespace {
+
+std::vector<Vec2> displacements(const ContinuumStrip& strip, std::span<const double> y) {
+  return strip_displacements(strip, y.data(), y.data() + strip.unknowns.base_face,
+                             y.data() + strip.unknowns.action_face);
 }
 
 /// Lagrange polynomials through the points of a Gauss rule, at x.
@@ -151,25 +157,27 @@ void ContinuumPort::follow_strains(std::size_t side, const double* scratch, doub
   }
 }
 
-/// The mean place of a section and the turn of its first moment, which are those of the face that
-/// would do the same work.
 std::vector<SectionState> ContinuumPort::sections(const Eigen::Vector3d& load,
                                                   std::span<const double> internal) const {
-  const StripMesh& mesh = strip_->mesh;
-  const std::vector<Vec2> moved = displacements(*strip_, internal);
-  const QuadratureRule& rule = gauss_legendre(static_cast<int>(mesh.cross_line.order()) + 1);
   const double* y = internal.data() + strip_->unknowns.action_face;
-  const Vec2 tip = mesh.chord + mesh.length * Vec2{y[0], y[1]};
+  const Vec2 tip = strip_->mesh.chord + strip_->mesh.length * Vec2{y[0], y[1]};
+  return strip_sections(strip_->mesh, *grid_, displacements(*strip_, internal), tip, load);
+}
+
+std::vector<SectionState> strip_sections(const StripMesh& mesh, const StationGrid& grid,
+                                         const std::vector<Vec2>& moved, Vec2 tip,
+                                         const Eigen::Vector3d& load) {
+  const QuadratureRule& rule = gauss_legendre(static_cast<int>(mesh.cross_line.order()) + 1);
   std::vector<SectionState> states;
   double turn = 0.0;
-  for (std::size_t k = 0; k < grid_->s.size(); ++k) {
+  for (std::size_t k = 0; k < grid.s.size(); ++k) {
     Vec2 mean, moment, drawn_mean, drawn_moment;
     for (std::size_t e = 0; e < mesh.across; ++e) {
       for (std::size_t g = 0; g < rule.nodes.size(); ++g) {
         const double share = (static_cast<double>(e) + 0.5 * (1.0 + rule.nodes[g])) /
                              static_cast<double>(mesh.across);
         const double weight = 0.5 * rule.weights[g] / static_cast<double>(mesh.across);
-        const MeshPlace place = find_place(mesh, grid_->s[k], share);
+        const MeshPlace place = find_place(mesh, grid.s[k], share);
         const Vec2 drawn = at_place(mesh, place, mesh.nodes);
         const Vec2 now = drawn + at_place(mesh, place, moved);
         mean = mean + weight * now;
@@ -180,19 +188,17 @@ std::vector<SectionState> ContinuumPort::sections(const Eigen::Vector3d& load,
     }
     const double angle = std::atan2(cross(drawn_moment, moment), dot(drawn_moment, moment));
     turn += std::remainder(angle - turn, 2.0 * std::numbers::pi);
-    const Vec2 place = grid_->positions[k] + mean - drawn_mean;
-    states.push_back(section_at(*grid_, k, {place, turn}, tip, load));
+    const Vec2 place = grid.positions[k] + mean - drawn_mean;
+    states.push_back(section_at(grid, k, {place, turn}, tip, load));
   }
   return states;
 }
 
-/// Elements of order 1 are halved both ways; others go up by one order. None where that would take
-/// more than the mechanism itself is worth: fine meshes are compared with coarser ones instead.
-std::shared_ptr<const TwoPort> ContinuumPort::refined() const {
+std::shared_ptr<const ContinuumStrip> finer_strip(const ContinuumStrip& strip) {
   constexpr std::size_t largest = 40000;
-  const StripMesh& mesh = strip_->mesh;
-  if (nodal_size() > largest) return nullptr;
-  ContinuumSettings finer = strip_->settings;
+  const StripMesh& mesh = strip.mesh;
+  if (strip.unknowns.enhanced > largest) return nullptr;
+  ContinuumSettings finer = strip.settings;
   const auto order = static_cast<int>(mesh.line.order());
   const auto order_across = static_cast<int>(mesh.cross_line.order());
   finer.across = static_cast<int>(mesh.across);
@@ -205,29 +211,39 @@ std::shared_ptr<const TwoPort> ContinuumPort::refined() const {
     finer.order = order + 1;
     finer.order_across = order_across + 1;
   }
-  return make_continuum_port(strip_->shape, strip_->material, finer, strip_->tolerance);
+  return std::make_shared<ContinuumStrip>(strip.shape, strip.material, finer, strip.tolerance);
 }
 
-double ContinuumPort::error_ratio() const {
-  return strip_->mesh.line.order() == 1 && strip_->mesh.cross_line.order() == 1 ? 4.0 / 3.0 : 1.0;
+double strip_error_ratio(const StripMesh& mesh) {
+  return mesh.line.order() == 1 && mesh.cross_line.order() == 1 ? 4.0 / 3.0 : 1.0;
+}
+
+std::shared_ptr<const TwoPort> ContinuumPort::refined() const {
+  auto finer = finer_strip(*strip_);
+  return finer ? std::make_shared<ContinuumPort>(std::move(finer)) : nullptr;
+}
+
+double ContinuumPort::error_ratio() const { return strip_error_ratio(strip_->mesh); }
+
+void prolong_nodes(const StripMesh& mesh, const std::vector<Vec2>& moved,
+                   const ContinuumStrip& fine, std::span<double> nodes) {
+  for (std::size_t c = 1; c + 1 < fine.mesh.columns; ++c) {
+    for (std::size_t r = 0; r < fine.mesh.rows; ++r) {
+      const MeshPlace place = find_place(mesh, fine.mesh.station(c), share_of_row(fine.mesh, r));
+      const Vec2 u = at_place(mesh, place, moved);
+      nodes[fine.unknowns.node(c, r)] = u.x / mesh.length;
+      nodes[fine.unknowns.node(c, r) + 1] = u.y / mesh.length;
+    }
+  }
 }
 
 /// Displacements through the nodes, strains through the quadrature points; enhanced strains start
 /// anew. All linear, so that slopes are prolonged likewise.
 void ContinuumPort::prolong(std::span<const double> internal, std::span<double> refined) const {
-  const auto finer = std::static_pointer_cast<const ContinuumPort>(this->refined());
-  const ContinuumStrip& fine = *finer->strip_;
-  const StripMesh& mesh = strip_->mesh;
+  const auto finer = finer_strip(*strip_);
+  const ContinuumStrip& fine = *finer;
   std::fill(refined.begin(), refined.end(), 0.0);
-  const std::vector<Vec2> moved = displacements(*strip_, internal);
-  for (std::size_t c = 1; c + 1 < fine.mesh.columns; ++c) {
-    for (std::size_t r = 0; r < fine.mesh.rows; ++r) {
-      const MeshPlace place = find_place(mesh, fine.mesh.station(c), share_of_row(fine.mesh, r));
-      const Vec2 u = at_place(mesh, place, moved);
-      refined[fine.unknowns.node(c, r)] = u.x / mesh.length;
-      refined[fine.unknowns.node(c, r) + 1] = u.y / mesh.length;
-    }
-  }
+  prolong_nodes(strip_->mesh, displacements(*strip_, internal), fine, refined);
   std::copy_n(internal.begin() + static_cast<std::ptrdiff_t>(strip_->unknowns.action_face), 3,
               refined.begin() + static_cast<std::ptrdiff_t>(fine.unknowns.action_face));
   prolong_strains(internal, fine, refined);

@@ -53,6 +53,26 @@ struct ContinuumStrip {
   }
 };
 
+/// Displacements of all nodes, by those of the nodes between the faces (numbered as
+/// ContinuumUnknowns::node says) and the unknowns of the faces.
+std::vector<Vec2> strip_displacements(const ContinuumStrip& strip, const double* nodes,
+                                      const double* base, const double* action);
+
+/// The mean place of a section and the turn of its first moment, which are those of the face that
+/// would do the same work; with the forces that hold the load on the tip.
+std::vector<SectionState> strip_sections(const StripMesh& mesh, const StationGrid& grid,
+                                         const std::vector<Vec2>& moved, Vec2 tip,
+                                         const Eigen::Vector3d& load);
+
+/// Elements of order 1 halved both ways; others of an order more. Null where that would take more
+/// than it is worth.
+std::shared_ptr<const ContinuumStrip> finer_strip(const ContinuumStrip& strip);
+/// As TwoPort::error_ratio.
+double strip_error_ratio(const StripMesh& mesh);
+/// Displacements of the nodes of a finer mesh, over the length, from those of all nodes of `mesh`.
+void prolong_nodes(const StripMesh& mesh, const std::vector<Vec2>& moved,
+                   const ContinuumStrip& fine, std::span<double> nodes);
+
 class ContinuumPort final : public TwoPort {
  public:
   explicit ContinuumPort(std::shared_ptr<const ContinuumStrip> strip);

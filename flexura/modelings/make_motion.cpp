@@ -10,6 +10,8 @@ namespace {
 struct MotionPortMaker {
   const FlexureProperties& flexure;
   const FlexureInertia& inertia;
+  const Material& material;
+  const StripShape& shape;
   double tolerance;
 
   Vec2 end() const { return flexure.axis.position(flexure.axis.length()); }
@@ -36,7 +38,9 @@ struct MotionPortMaker {
   Port operator()(const BcmSettings& settings) const {
     return make_bcm_motion_port(flexure, inertia, settings);
   }
-  Port operator()(const ContinuumSettings&) const { return nullptr; }
+  Port operator()(const ContinuumSettings& settings) const {
+    return make_continuum_motion_port(shape, material, inertia.density, settings, tolerance);
+  }
 };
 
 }  // namespace
@@ -53,8 +57,10 @@ MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
     properties.field = field_on(model, k, acting.fields);
     properties.field.per_volume = {};  // gravity acts on all mass alike
     const FlexureInertia own = flexure_inertia(model, model.flexures[k], inertia, settings.shear);
-    layout.ports.push_back(
-        std::visit(MotionPortMaker{properties, own, settings.tolerance}, settings.kind));
+    const StripShape shape(properties.axis, own.shape);
+    const MotionPortMaker maker{properties, own, model.materials[model.flexures[k].material], shape,
+                                settings.tolerance};
+    layout.ports.push_back(std::visit(maker, settings.kind));
   }
   for (const Load& load : acting.loads) layout.loads.push_back(load.history);
   layout.gravity = acting.fields.gravity;

@@ -4,6 +4,7 @@
 
 #include "flexura/assembly/motion_port.hpp"
 #include "flexura/model/modeling_settings.hpp"
+#include "flexura/modelings/continuum_mesh.hpp"
 #include "flexura/modelings/flexure_inertia.hpp"
 #include "flexura/modelings/flexure_properties.hpp"
 #include "flexura/modelings/prbm.hpp"
@@ -36,5 +37,12 @@ std::shared_ptr<const MotionPort> make_compliant_motion_port(const FlexureProper
 std::shared_ptr<const MotionPort> make_bcm_motion_port(const FlexureProperties& flexure,
                                                        const FlexureInertia& inertia,
                                                        const BcmSettings& settings);
+
+/// Masses at the quadrature points. Preconditions: those of make_continuum_port; no lumped masses.
+std::shared_ptr<const MotionPort> make_continuum_motion_port(const StripShape& shape,
+                                                             const Material& material,
+                                                             double density,
+                                                             const ContinuumSettings& settings,
+                                                             double tolerance);
 
 }  // namespace flexura
