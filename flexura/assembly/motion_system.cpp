@@ -199,6 +199,14 @@ Moment MotionSystem::prolong(const Moment& moment, const MotionSystem& refined) 
     }
   };
   carry(moment.q, out.q);
+  // rates by a difference, exact where places are carried over linearly
+  const double size = size_of(moment.v);
+  if (size == 0.0) return out;
+  const double span = 1e-4 / size;
+  Eigen::VectorXd before = out.q, after = out.q;
+  carry(moment.q - span * moment.v, before);
+  carry(moment.q + span * moment.v, after);
+  out.v = (after - before) / (2.0 * span);
   return out;
 }
 
