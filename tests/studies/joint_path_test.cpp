@@ -57,7 +57,7 @@ TEST_P(JointPath, APinHolds) {
   ASSERT_EQ(on_pin.states.size(), held.states.size());
   for (std::size_t k = 0; k < held.states.size(); ++k)
     EXPECT_LT(distance(on_pin.states[k].bodies[0], held.states[k].bodies[0], 10.0), 1e-11) << k;
-  EXPECT_GT(on_pin.states.back().bodies[0].rotation, 0.1);
+  EXPECT_GT(on_pin.states.back().bodies[0].rotation, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modelings, JointPath,
@@ -72,12 +72,13 @@ TEST(JointEquilibrium, ACrankOnASpring) {
   constexpr double r = 2.0, k = 0.7, force = 0.4;
   constexpr Vec2 anchor{0.0, 3.0};
   Mechanism crank;
-  crank.fixed("ground").centre(anchor).body("crank").centre({r, 0.0});
+  crank.fixed("ground").centre(anchor).body("crank").centre({r, 0.0}).mass(0.0, 1.0);
   crank.pin("ground", "crank", {0.0, 0.0}).spring("ground", "crank", k);
   PathStudy study;
   study.steps = 5;
   study.loads = {crank.load("crank", {0.0, -force})};
   const ModelingPath path = path_of(crank, study, exact());
+  ASSERT_EQ(path.states.size(), 6u);
   const double drawn = norm(anchor - Vec2{r, 0.0});
   for (const PathState& state : path.states) {
     const double a = state.bodies[0].rotation;
@@ -101,6 +102,7 @@ TEST(JointEquilibrium, ARodTiesALeaf) {
   study.steps = 4;
   study.loads = {tied.load("stage", {-0.05, 0.02}, 0.05)};
   const ModelingPath path = path_of(tied, study, exact());
+  ASSERT_EQ(path.states.size(), 5u);
   const Pose end = path.states.back().bodies[0];
   const double turn = path.states.back().bodies[1].rotation;
   for (const PathState& state : path.states)

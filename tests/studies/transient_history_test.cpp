@@ -66,7 +66,7 @@ double error_under(const TimeHistory& history, const Truth& truth, TransientStud
 }
 
 template <class Truth>
-void expect_motion(const TimeHistory& history, const Truth& truth, double tolerance = 1e-7) {
+void expect_motion(const TimeHistory& history, const Truth& truth, double tolerance = 1e-9) {
   using Method = TransientStudy::Method;
   const double by_tolerance = error_under(history, truth, transient(4.0, 37, 1e-10));
   const double by_steps =
@@ -77,8 +77,8 @@ void expect_motion(const TimeHistory& history, const Truth& truth, double tolera
   note_measured("by_steps", by_steps);
   note_measured("by_midpoints", by_midpoints);
   EXPECT_LT(by_tolerance, tolerance);
-  EXPECT_LT(by_steps, std::max(tolerance, 1e-6));
-  EXPECT_LT(by_midpoints, std::max(tolerance, 2e-5));
+  EXPECT_LT(by_steps, std::max(tolerance, 1e-7));
+  EXPECT_LT(by_midpoints, std::max(tolerance, 5e-5));
 }
 
 TEST(TransientHistory, HalfASine) {
