@@ -45,6 +45,7 @@ void DiscreteMotion::add_bodies(const Moment& from, const Moment& to, double h, 
 void DiscreteMotion::add_springs(const Moment& from, const Moment& to, double h,
                                  Eigen::VectorXd& r) {
   for (const auto& spring : system_.layout().mechanism.springs) {
+    const double damping = system_.layout().damping_along(spring);
     const Numbering::Body& a = system_.numbering().bodies[spring.base];
     const Numbering::Body& b = system_.numbering().bodies[spring.action];
     if (spring.torsional) {
@@ -52,8 +53,8 @@ void DiscreteMotion::add_springs(const Moment& from, const Moment& to, double h,
       const Turn action = turn_of(b.rotation, from, to);
       const double change = action.to - action.from - base.to + base.from;
       const double mean = 0.5 * (action.from + action.to - base.from - base.to);
-      const double moment = spring.stiffness * (mean - spring.free) + spring.damping * change / h;
-      dissipated_ += spring.damping * change * change / h;
+      const double moment = spring.stiffness * (mean - spring.free) + damping * change / h;
+      dissipated_ += damping * change * change / h;
       if (b.rotation >= 0) r[b.rotation] += moment * action.ratio;
       if (a.rotation >= 0) r[a.rotation] -= moment * base.ratio;
       continue;
@@ -68,8 +69,8 @@ void DiscreteMotion::add_springs(const Moment& from, const Moment& to, double h,
     const double mean = 0.5 * (norm(before) + norm(after));
     const double rate = (norm(after) - norm(before)) / h;
     double pull = spring.stiffness;
-    if (mean > 0.0) pull = (spring.stiffness * (mean - spring.free) + spring.damping * rate) / mean;
-    dissipated_ += spring.damping * rate * rate * h;
+    if (mean > 0.0) pull = (spring.stiffness * (mean - spring.free) + damping * rate) / mean;
+    dissipated_ += damping * rate * rate * h;
     const Vec2 force = pull * 0.5 * (before + after);
     push(spring.action, spring.action_arm, force, from, to, r);
     push(spring.base, spring.base_arm, -force, from, to, r);

@@ -100,14 +100,15 @@ MotionPower MotionSystem::power(const Moment& moment) {
     power.damping += mode.damping * rate * rate;
   }
   for (const auto& spring : mechanism.springs) {
-    if (spring.damping == 0.0) continue;
+    const double damping = layout_.damping_along(spring);
+    if (damping == 0.0) continue;
     const Jet2<6> length = spring_length(mechanism, spring, pose(spring.base, moment.q),
                                          pose(spring.action, moment.q));
     const auto unknowns = pair_unknowns(spring.base, spring.action);
     double rate = 0.0;
     for (std::size_t i = 0; i < 6; ++i)
       if (unknowns[i] >= 0) rate += length.gradient[i] * moment.v[unknowns[i]];
-    power.damping += spring.damping * rate * rate;
+    power.damping += damping * rate * rate;
   }
   add_load_power(moment, power);
   return power;

@@ -92,13 +92,13 @@ void MotionSystem::add_springs(const Moment& moment, Eigen::VectorXd& r) const {
     const Pose b = pose(spring.action, moment.q);
     Jet2<6> energy = spring_potential(mechanism, spring, a, b, 1.0);
     const auto unknowns = pair_unknowns(spring.base, spring.action);
-    if (spring.damping > 0.0) {
+    const double damping = layout_.damping_along(spring);
+    if (damping > 0.0) {
       const Jet2<6> length = spring_length(mechanism, spring, a, b);
       double rate = 0.0;
       for (std::size_t i = 0; i < 6; ++i)
         if (unknowns[i] >= 0) rate += length.gradient[i] * moment.v[unknowns[i]];
-      for (std::size_t i = 0; i < 6; ++i)
-        energy.gradient[i] += spring.damping * rate * length.gradient[i];
+      for (std::size_t i = 0; i < 6; ++i) energy.gradient[i] += damping * rate * length.gradient[i];
     }
     for (std::size_t i = 0; i < 6; ++i)
       if (unknowns[i] >= 0) r[unknowns[i]] += energy.gradient[i];

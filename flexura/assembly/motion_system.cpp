@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexura/assembly/mechanism_scale.hpp"
+
 namespace flexura {
 
 MotionSystem::MotionSystem(MotionLayout layout)
@@ -31,19 +33,9 @@ MotionSystem::MotionSystem(MotionLayout layout)
 /// As System does: displacements by the flexures' mean length, energies by that of bending one.
 void MotionSystem::set_scale() {
   const SystemLayout& mechanism = layout_.mechanism;
-  double energy = 0.0;
-  length_ = 0.0;
-  const auto count = static_cast<double>(members_.size());
-  for (const auto& member : mechanism.members) {
-    length_ += member.length / count;
-    energy += std::log(member.bending_stiffness / member.length) / count;
-  }
-  if (members_.empty()) {
-    for (const auto& body : mechanism.bodies)
-      length_ = std::max(length_, norm(body.centre - mechanism.bodies.front().centre));
-    if (length_ == 0.0) length_ = 1.0;
-  }
-  const double turn = 1.0 / std::sqrt(std::exp(energy));
+  const MechanismScale scale = scale_of(mechanism);
+  length_ = scale.length;
+  const double turn = 1.0 / std::sqrt(scale.energy);
   scale_.setConstant(moving_ + multipliers_, turn);
   weights_.setOnes(coordinates_);
   gap_lengths_.setOnes(multipliers_);
@@ -199,6 +191,14 @@ Moment MotionSystem::prolong(const Moment& moment, const MotionSystem& refined) 
     }
   };
   carry(moment.q, out.q);
+  // rates by a difference, exact where places are carried over linearly
+  const double size = size_of(moment.v);
+  if (size == 0.0) return out;
+  const double span = 1e-4 / size;
+  Eigen::VectorXd before = out.q, after = out.q;
+  carry(moment.q - span * moment.v, before);
+  carry(moment.q + span * moment.v, after);
+  out.v = (after - before) / (2.0 * span);
   return out;
 }
 

@@ -28,6 +28,11 @@ struct MotionLayout {
   Vec2 gravity;                                          ///< acceleration of all mass
   double mass_damping = 0.0;
   double stiffness_damping = 0.0;
+
+  /// Against the rate of a spring's length: its damper's, and its share of Rayleigh's damping.
+  double damping_along(const SystemLayout::Spring& spring) const {
+    return spring.damping + stiffness_damping * spring.stiffness;
+  }
 };
 
 /// A state of motion: coordinates q with first and second rates v and a, and the multipliers.

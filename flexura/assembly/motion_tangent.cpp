@@ -44,14 +44,13 @@ void MotionSystem::linearize_pairs(const Moment& moment) {
     const Pose b = pose(spring.action, moment.q);
     const Jet2<6> energy = spring_potential(mechanism, spring, a, b, 1.0);
     const auto unknowns = pair_unknowns(spring.base, spring.action);
-    const Jet2<6> length =
-        spring.damping > 0.0 ? spring_length(mechanism, spring, a, b) : Jet2<6>{};
+    const double damping = layout_.damping_along(spring);
+    const Jet2<6> length = damping > 0.0 ? spring_length(mechanism, spring, a, b) : Jet2<6>{};
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j) {
         if (unknowns[i] < 0 || unknowns[j] < 0) continue;
         stiffness_(unknowns[i], unknowns[j]) += energy.second(i, j);
-        damping_(unknowns[i], unknowns[j]) +=
-            spring.damping * length.gradient[i] * length.gradient[j];
+        damping_(unknowns[i], unknowns[j]) += damping * length.gradient[i] * length.gradient[j];
       }
   }
   for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {

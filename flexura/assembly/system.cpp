@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexura/assembly/mechanism_scale.hpp"
+
 namespace flexura {
 System::System(SystemLayout layout) : layout_(std::move(layout)) {
   for (const auto& body : layout_.bodies) held_.push_back({body.centre, 0.0});
@@ -60,18 +62,15 @@ void System::number_unknowns() {
 }
 
 void System::set_scale() {
-  const auto count = static_cast<double>(layout_.members.size());
-  length_ = 0.0;
-  double energy = 0.0;  // of a flexure bent by one radian, geometric mean
+  const MechanismScale scale = scale_of(layout_);
+  length_ = scale.length;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const auto& member = layout_.members[k];
-    length_ += member.length / count;
-    energy += std::log(member.bending_stiffness / member.length) / count;
     const double root = std::sqrt(member.bending_stiffness / member.length);
     members_[k].force_scale = root / member.length;
     members_[k].moment_scale = root;
   }
-  const double turn = 1.0 / std::sqrt(std::exp(energy));
+  const double turn = 1.0 / std::sqrt(scale.energy);
   turn_scale_ = turn;
   scale_.setConstant(turn);
   step_weight_.setOnes(static_cast<Eigen::Index>(moving_));

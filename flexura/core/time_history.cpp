@@ -11,11 +11,9 @@ namespace {
 
 /// Second derivatives at the times of the natural cubic spline (zero at both ends): the usual
 /// tridiagonal system, solved without pivoting as it is diagonally dominant.
-std::vector<double> spline_seconds(const TableHistory& table) {
-  const std::size_t n = table.times.size();
+std::vector<double> spline_seconds(const std::vector<double>& t, const std::vector<double>& v) {
+  const std::size_t n = t.size();
   std::vector<double> seconds(n, 0.0), diagonal(n, 1.0);
-  const auto& t = table.times;
-  const auto& v = table.values;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double before = t[i] - t[i - 1];
     const double after = t[i + 1] - t[i];
@@ -27,23 +25,6 @@ std::vector<double> spline_seconds(const TableHistory& table) {
   for (std::size_t i = n - 1; i-- > 1;)
     seconds[i] = (seconds[i] - (t[i + 1] - t[i]) * seconds[i + 1]) / diagonal[i];
   return seconds;
-}
-
-HistoryValue in_table(const TableHistory& table, double time) {
-  const auto& t = table.times;
-  if (t.empty()) return {};
-  if (t.size() == 1) return {table.values.front(), 0.0, 0.0};
-  const auto above = std::upper_bound(t.begin() + 1, t.end() - 1, time);
-  const auto k = static_cast<std::size_t>(above - t.begin()) - 1;
-  const double h = t[k + 1] - t[k];
-  const double x = std::clamp(time, t.front(), t.back()) - t[k];
-  const double slope = (table.values[k + 1] - table.values[k]) / h;
-  if (!table.smooth) return {table.values[k] + x * slope, slope, 0.0};
-  const std::vector<double> m = spline_seconds(table);
-  const double change = (m[k + 1] - m[k]) / h;
-  const double start = slope - h * (2.0 * m[k] + m[k + 1]) / 6.0;
-  return {table.values[k] + x * (start + x * (0.5 * m[k] + x * change / 6.0)),
-          start + x * (m[k] + 0.5 * x * change), m[k] + x * change};
 }
 
 struct Evaluate {
@@ -73,7 +54,7 @@ struct Evaluate {
     return {std::sin(angle), w * std::cos(angle), -w * w * std::sin(angle)};
   }
   HistoryValue operator()(const LinearHistory&) const { return {t, 1.0, 0.0}; }
-  HistoryValue operator()(const TableHistory& table) const { return in_table(table, t); }
+  HistoryValue operator()(const TableHistory& table) const { return table.at(t); }
   HistoryValue operator()(const FunctionHistory& history) const {
     // central differences of fourth order; steps that balance their error with rounding
     const double scale = std::max(std::abs(t), 1e-3);
@@ -104,7 +85,7 @@ struct Describe {
   }
   std::string operator()(const LinearHistory&) const { return "growing with time"; }
   std::string operator()(const TableHistory& table) const {
-    return fmt::format("by a table of {} times", table.times.size());
+    return fmt::format("by a table of {} times", table.times().size());
   }
   std::string operator()(const FunctionHistory&) const { return "as a function of time"; }
 };
@@ -118,12 +99,36 @@ struct Breaks {
   std::vector<double> operator()(const HarmonicHistory&) const { return {}; }
   std::vector<double> operator()(const LinearHistory&) const { return {}; }
   std::vector<double> operator()(const TableHistory& table) const {
-    return table.smooth ? std::vector<double>{} : table.times;
+    return table.smooth() ? std::vector<double>{} : table.times();
   }
   std::vector<double> operator()(const FunctionHistory&) const { return {}; }
 };
 
 }  // namespace
+
+/// Tables that are none have no spline: whoever checks the model says so.
+TableHistory::TableHistory(std::vector<double> times, std::vector<double> values, bool smooth)
+    : times_(std::move(times)), values_(std::move(values)), smooth_(smooth) {
+  if (smooth && times_.size() > 1 && times_.size() == values_.size())
+    seconds_ = spline_seconds(times_, values_);
+}
+
+HistoryValue TableHistory::at(double time) const {
+  const auto& t = times_;
+  if (t.empty()) return {};
+  if (t.size() == 1) return {values_.front(), 0.0, 0.0};
+  const auto above = std::upper_bound(t.begin() + 1, t.end() - 1, time);
+  const auto k = static_cast<std::size_t>(above - t.begin()) - 1;
+  const double h = t[k + 1] - t[k];
+  const double x = std::clamp(time, t.front(), t.back()) - t[k];
+  const double slope = (values_[k + 1] - values_[k]) / h;
+  const auto& m = seconds_;
+  if (m.empty()) return {values_[k] + x * slope, slope, 0.0};
+  const double change = (m[k + 1] - m[k]) / h;
+  const double start = slope - h * (2.0 * m[k] + m[k + 1]) / 6.0;
+  return {values_[k] + x * (start + x * (0.5 * m[k] + x * change / 6.0)),
+          start + x * (m[k] + 0.5 * x * change), m[k] + x * change};
+}
 
 std::string describe_history(const TimeHistory& history) { return std::visit(Describe{}, history); }
 
@@ -139,8 +144,8 @@ std::vector<double> history_breaks(const TimeHistory& history, double from, doub
 
 double history_end(const TimeHistory& history) {
   const auto* table = std::get_if<TableHistory>(&history);
-  return table && !table->times.empty() ? table->times.back()
-                                        : std::numeric_limits<double>::infinity();
+  return table && !table->times().empty() ? table->times().back()
+                                          : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace flexura

@@ -44,10 +44,21 @@ struct LinearHistory {};
 
 /// Values at ascending times, joined by straight lines or, `smooth`, by the natural cubic spline
 /// through them. Nothing is known outside.
-struct TableHistory {
-  std::vector<double> times;
-  std::vector<double> values;
-  bool smooth = false;
+class TableHistory {
+ public:
+  TableHistory() = default;
+  TableHistory(std::vector<double> times, std::vector<double> values, bool smooth);
+
+  const std::vector<double>& times() const { return times_; }
+  const std::vector<double>& values() const { return values_; }
+  bool smooth() const { return smooth_; }
+  HistoryValue at(double time) const;
+
+ private:
+  std::vector<double> times_;
+  std::vector<double> values_;
+  std::vector<double> seconds_;  // derivatives of the spline, where there is one
+  bool smooth_ = false;
 };
 
 /// Any other function; its derivatives are taken by differences.

@@ -62,7 +62,7 @@ class ColumnReader {
     if (!find_columns()) return std::move(result_);
     for (auto line = next_line(); line; line = next_line())
       if (!read_row(*line)) return std::move(result_);
-    const std::size_t rows = result_.table.times.size();
+    const std::size_t rows = result_.times.size();
     if (rows < 2)
       fail("file", fmt::format("'{}' has {} of numbers; a history needs two or more", columns_.file,
                                rows == 1 ? "one line" : "no line"));
@@ -132,13 +132,13 @@ class ColumnReader {
     const auto time = number_in(fields, time_, columns_.time);
     const auto value = time ? number_in(fields, value_, columns_.value) : std::nullopt;
     if (!value) return false;
-    auto& table = result_.table;
-    if (!table.times.empty() && *time <= table.times.back())
+    auto& times = result_.times;
+    if (!times.empty() && *time <= times.back())
       return fail_at(
           fields[time_].start,
-          fmt::format("times must ascend: {} does not come after {}", *time, table.times.back()));
-    table.times.push_back(*time);
-    table.values.push_back(*value);
+          fmt::format("times must ascend: {} does not come after {}", *time, times.back()));
+    times.push_back(*time);
+    result_.values.push_back(*value);
     return true;
   }
 
@@ -156,7 +156,8 @@ class ColumnReader {
 HistoryFileReading read_history_file(const std::filesystem::path& path,
                                      const HistoryColumns& columns) {
   const auto refuse = [&](const std::string& why) {
-    return HistoryFileReading{{}, fmt::format("cannot read '{}': {}", columns.file, why), "file"};
+    return HistoryFileReading{
+        {}, {}, fmt::format("cannot read '{}': {}", columns.file, why), "file"};
   };
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return refuse("it is a directory");

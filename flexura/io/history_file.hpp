@@ -2,8 +2,7 @@
 
 #include <filesystem>
 #include <string>
-
-#include "flexura/core/time_history.hpp"
+#include <vector>
 
 namespace flexura {
 
@@ -17,9 +16,10 @@ struct HistoryColumns {
   std::string value;
 };
 
-/// The table, or what is wrong and which of the keys "file", "time" and "value" it concerns.
+/// The rows, or what is wrong and which of the keys "file", "time" and "value" it concerns.
 struct HistoryFileReading {
-  TableHistory table;
+  std::vector<double> times;
+  std::vector<double> values;
   std::string error;
   std::string key = "file";
 };

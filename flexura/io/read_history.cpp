@@ -45,14 +45,13 @@ TimeHistory read_harmonic(Reading& reading, const Place& place) {
 }
 
 TimeHistory read_table(Reading& reading, const Place& place, bool smooth) {
-  TableHistory history;
-  history.smooth = smooth;
+  std::vector<double> times, values;
   for (const Place& row : read_list(reading, place, "rows [time, value]")) {
     const auto pair = read_pair(reading, row, "a row [time, value]", dimensions::number);
-    history.times.push_back(pair ? pair->first : 0.0);
-    history.values.push_back(pair ? pair->second : 0.0);
+    times.push_back(pair ? pair->first : 0.0);
+    values.push_back(pair ? pair->second : 0.0);
   }
-  return history;
+  return TableHistory{std::move(times), std::move(values), smooth};
 }
 
 /// The columns of a file beside the model file.
@@ -70,8 +69,7 @@ TimeHistory read_file(Reading& reading, TableReader& table, const Place& place, 
   HistoryFileReading result = read_history_file(reading.folder / columns.file, columns);
   if (!result.error.empty())
     reading.report(table.path(result.key), table.find(result.key)->node->position, result.error);
-  result.table.smooth = smooth;
-  return std::move(result.table);
+  return TableHistory{std::move(result.times), std::move(result.values), smooth};
 }
 
 /// Keys that belong to some kinds only.

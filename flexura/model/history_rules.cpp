@@ -35,14 +35,14 @@ struct HistoryRules {
   }
   void operator()(const LinearHistory&) const {}
   void operator()(const TableHistory& table) const {
-    const auto& times = table.times;
+    const auto& times = table.times();
     const KeyPath rows = path / "table";
-    if (times.size() != table.values.size() || times.size() < 2) {
+    if (times.size() != table.values().size() || times.size() < 2) {
       mistakes.add(rows, fmt::format("a table needs two rows or more, has {}", times.size()));
       return;
     }
     for (std::size_t i = 0; i < times.size(); ++i) {
-      mistakes.require_finite(rows / i, Vec2{times[i], table.values[i]});
+      mistakes.require_finite(rows / i, Vec2{times[i], table.values()[i]});
       if (i > 0 && times[i] <= times[i - 1]) {
         mistakes.add(rows / i, fmt::format("times must ascend: {} does not come after {}", times[i],
                                            times[i - 1]));
@@ -63,9 +63,9 @@ void check_history(const TimeHistory& history, const KeyPath& path, Mistakes& mi
 
 void check_history_during(const TimeHistory& history, double duration, const std::string& study,
                           const KeyPath& path, Mistakes& mistakes) {
-  if (const auto* table = std::get_if<TableHistory>(&history); table && table->times.size() > 1) {
-    const double first = table->times.front();
-    const double last = table->times.back();
+  if (const auto* table = std::get_if<TableHistory>(&history); table && table->times().size() > 1) {
+    const double first = table->times().front();
+    const double last = table->times().back();
     if (first > 0.0)
       mistakes.add(path,
                    fmt::format("the table begins at time {}, after {} does at 0", first, study));

@@ -100,7 +100,7 @@ struct MotionRules {
 /// At time 0; of histories that are no histories at all, 0.
 double value_at_start(const TimeHistory& history) {
   if (const auto* table = std::get_if<TableHistory>(&history))
-    return table->values.empty() ? 0.0 : table->values.front();
+    return table->values().empty() ? 0.0 : table->values().front();
   const auto* other = std::get_if<FunctionHistory>(&history);
   return other && !other->function ? 0.0 : evaluate_history(history, 0.0).value;
 }

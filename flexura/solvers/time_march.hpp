@@ -51,6 +51,9 @@ class TimeMarch {
   StepReport take(State& state, double h, const std::function<bool(double)>& after);
   template <class State>
   bool advance_equally(State& state, double until, const std::function<bool(double)>& after);
+  /// One fixed step.
+  template <class State>
+  bool advance_in_parts(State& state, double goal, const std::function<bool(double)>& after);
 
   Integrator& integrator_;
   Options options_;
@@ -76,7 +79,9 @@ StepReport TimeMarch<Integrator>::take(State& state, double h,
   return report;
 }
 
-/// Where Newton's method fails in a step, the step is taken in parts, and so on.
+/// Where Newton's method fails in a step, the step is taken in halves, and those again where need
+/// be. The next part is as long as the last one or, once that completes a pair, the pair: parts
+/// stay halves of halves, and what follows a hard place is not as short as the place itself.
 template <class Integrator>
 template <class State>
 bool TimeMarch<Integrator>::advance_equally(State& state, double until,
@@ -87,17 +92,33 @@ bool TimeMarch<Integrator>::advance_equally(State& state, double until,
   for (auto k = 1LL; k <= count; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(count);
     const double goal = k == count ? until : start + span * share;
-    double h = goal - state.time;
-    while (goal - state.time > 1e-12 * span) {
-      h = std::min(h, goal - state.time);
-      if (take(state, h, after).outcome != StepOutcome::accepted) {
-        h *= 0.5;
-        if (h < options_.shortest) return false;
-      } else if (stopped_) {
-        return false;
-      }
+    if (!advance_in_parts(state, goal, after)) return false;
+  }
+  return true;
+}
+
+template <class Integrator>
+template <class State>
+bool TimeMarch<Integrator>::advance_in_parts(State& state, double goal,
+                                             const std::function<bool(double)>& after) {
+  const double start = state.time;
+  const double whole = goal - start;
+  double parts = 1.0;  // that the step is cut into at present
+  double done = 0.0;   // of them
+  while (done < parts) {
+    if (take(state, whole / parts, after).outcome != StepOutcome::accepted) {
+      parts *= 2.0;
+      done *= 2.0;
+      if (whole / parts < options_.shortest) return false;
+      continue;
     }
-    state.time = goal;
+    done += 1.0;
+    state.time = done == parts ? goal : start + whole * (done / parts);
+    if (stopped_) return false;
+    if (parts > 1.0 && std::fmod(done, 2.0) == 0.0) {
+      parts *= 0.5;
+      done *= 0.5;
+    }
   }
   return true;
 }

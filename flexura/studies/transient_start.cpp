@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "flexura/studies/modes_study.hpp"
-#include "flexura/studies/motion_start.hpp"
 #include "flexura/studies/prescribed.hpp"
 #include "flexura/studies/transient_run.hpp"
 
@@ -18,19 +17,53 @@ std::unique_ptr<MotionSystem> make_moving(const Model& model, const TransientStu
   return std::make_unique<MotionSystem>(std::move(layout));
 }
 
-/// Every mode about the start loses the same share of critical damping.
-void add_modal_damping(MotionSystem& system, const Moment& rest, double share) {
+/// Every mode about the origin loses the same share of critical damping.
+void add_modal_damping(TransientStart& start, double share) {
   if (share == 0.0) return;
+  MotionSystem& system = *start.system;
+  MotionSystem& resting = start.origin.system ? *start.origin.system : system;
+  const Moment rest = start.origin.system ? start.origin.moment : system.drawn_moment();
   const int count =
       static_cast<int>(std::min<Eigen::Index>(system.coordinates(), most_damped_modes));
-  const Vibrations modes = find_vibrations(system, rest, count, ModesStudy::Solver::automatic);
+  const Vibrations modes = find_vibrations(resting, rest, count, ModesStudy::Solver::automatic);
   std::vector<ModalForce> forces;
   for (Eigen::Index i = 0; i < modes.squares.size(); ++i) {
     if (!(modes.squares[i] > 0.0)) continue;
     forces.push_back(
-        {system.multiply_mass(modes.shapes.col(i)), 2.0 * share * std::sqrt(modes.squares[i])});
+        {resting.multiply_mass(modes.shapes.col(i)), 2.0 * share * std::sqrt(modes.squares[i])});
   }
   system.set_modal_damping(std::move(forces));
+}
+
+/// At rest in the state of a path that is the origin.
+void rest_at_origin(TransientStart& start) {
+  const auto loads = 3 * static_cast<Eigen::Index>(start.system->member_count());
+  start.moment.q = start.origin.moment.q;
+  start.moment.multipliers.tail(loads) = start.origin.moment.multipliers.tail(loads);
+}
+
+bool starts_in_path(const Model& model, const TransientStudy& study) {
+  return study.from && std::holds_alternative<PathStudy>(model.studies[study.from->study].kind);
+}
+
+/// Refined flexures do not end where the ones before did: moves all as little as mass and stiffness
+/// over a time `span` let it until the constraints are closed.
+bool close_gaps(MotionSystem& system, Moment& moment, double span) {
+  constexpr int most_iterations = 20;
+  MotionFactor<double> factor;
+  Eigen::VectorXd r;
+  for (int k = 0; k < most_iterations; ++k) {
+    system.residual(moment, r);
+    if (!r.allFinite()) return false;
+    if (system.relative_gap(r) < 1e-12) return true;
+    system.linearize(moment);
+    if (!system.factorize(1.0 / (span * span), 0.0, factor)) return false;
+    r.head(system.coordinates()).setZero();
+    r.tail(system.multipliers()) *= -1.0;
+    system.solve(factor, r);
+    moment.q += r.head(system.coordinates());
+  }
+  return false;
 }
 
 /// Where drivers move from the first moment on, so does the mechanism, as if its flexures were
@@ -53,36 +86,60 @@ TransientStart start_transient(const Model& model, const TransientStudy& study,
   start.moment = start.system->drawn_moment();
   start.termination.status = Status::converged;
   if (!study.from) {
-    add_modal_damping(*start.system, start.moment, study.damping.modal);
     if (!follow_drivers(*start.system, start.moment, study.duration))
       start.termination = {Status::stopped, "the mechanism cannot follow its drivers as drawn"};
-    return start;
+  } else if (starts_in_path(model, study)) {
+    start.origin = start_about(model, study.from, settings, study.inertia);
+    start.termination = start.origin.termination;
+    if (start.termination.converged()) rest_at_origin(start);
+  } else {
+    const auto& before = std::get<TransientStudy>(model.studies[study.from->study].kind);
+    TransientStart earlier = start_transient(model, before, settings);
+    start.termination = earlier.termination;
+    if (!start.termination.converged()) return start;
+    const TransientRun run = integrate(*earlier.system, earlier.moment, before,
+                                       {before.step.value_or(0.0), before.tolerance}, {}, {});
+    start.termination = run.termination;
+    if (!run.termination.converged())
+      start.termination.reason =
+          "the study it starts from stopped early: " + run.termination.reason;
+    start.moment.q = earlier.moment.q;
+    start.moment.v = earlier.moment.v;
+    start.origin = std::move(earlier.origin);
   }
-  const auto& kind = model.studies[study.from->study].kind;
-  if (std::holds_alternative<PathStudy>(kind)) {
-    MotionStart path = start_about(model, study.from, settings, study.inertia);
-    start.termination = path.termination;
-    if (!path.termination.converged()) return start;
-    add_modal_damping(*path.system, path.moment, study.damping.modal);
-    start.system->set_modal_damping(path.system->modal_damping());
-    start.moment.q = path.moment.q;
-    start.moment.multipliers.tail(3 * static_cast<Eigen::Index>(start.system->member_count())) =
-        path.moment.multipliers.tail(3 * static_cast<Eigen::Index>(start.system->member_count()));
-    return start;
-  }
-  const auto& before = std::get<TransientStudy>(kind);
-  TransientStart earlier = start_transient(model, before, settings);
-  start.termination = earlier.termination;
-  if (!earlier.termination.converged()) return start;
-  start.system->set_modal_damping(earlier.system->modal_damping());
-  const TransientRun run = integrate(*earlier.system, earlier.moment, before,
-                                     {before.step.value_or(0.0), before.tolerance}, {}, {});
-  start.termination = run.termination;
-  if (!run.termination.converged())
-    start.termination.reason = "the study it starts from stopped early: " + run.termination.reason;
-  start.moment.q = earlier.moment.q;
-  start.moment.v = earlier.moment.v;
+  if (start.termination.converged()) add_modal_damping(start, study.damping.modal);
   return start;
+}
+
+TransientStart refine(const TransientStart& start, const Model& model,
+                      const TransientStudy& study) {
+  TransientStart finer;
+  finer.termination = start.termination;
+  finer.system = start.system->refined();
+  if (!finer.system) {
+    finer.system = std::make_unique<MotionSystem>(start.system->layout());
+    finer.system->set_modal_damping(start.system->modal_damping());
+    finer.moment = start.moment;
+    return finer;
+  }
+  finer.moment = start.system->prolong(start.moment, *finer.system);
+  bool found = true;
+  if (start.origin.system) {
+    finer.origin.system = start.origin.system->refined();
+    finer.origin.moment = start.origin.system->prolong(start.origin.moment, *finer.origin.system);
+    found = solve_at_rest(*finer.origin.system, finer.origin.moment);
+  }
+  if (found && starts_in_path(model, study)) {
+    rest_at_origin(finer);
+  } else if (found && study.from) {
+    found = close_gaps(*finer.system, finer.moment, study.duration);
+  }
+  if (found) {
+    add_modal_damping(finer, study.damping.modal);
+  } else {
+    finer.termination = {Status::stopped, "no start with refined flexures was found"};
+  }
+  return finer;
 }
 
 }  // namespace flexura

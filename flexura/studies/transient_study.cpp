@@ -28,7 +28,7 @@ class Transient {
  private:
   TransientSteps steps() const { return {study_.step.value_or(0.0), study_.tolerance}; }
   void record(const MotionSystem& system, const Moment& moment, const EnergyBalance& energy);
-  void estimate_error(const MotionSystem& system, const Moment& start);
+  void estimate_error(const TransientStart& start);
 
   const Model& model_;
   const TransientStudy& study_;
@@ -79,19 +79,20 @@ ModelingMotion Transient::run() {
       motion_.energy_error =
           std::max(motion_.energy_error, std::abs(state.energy.error) / largest_energy_);
   motion_.members = make_members(model_, MovingState(system, start.moment));
-  if (study_.estimate && run.termination.converged()) estimate_error(system, first);
+  start.moment = first;
+  if (study_.estimate && run.termination.converged()) estimate_error(start);
   return std::move(motion_);
 }
 
 /// Against a run with refined flexures and finer steps. Where that stops early, there is no
 /// estimate.
-void Transient::estimate_error(const MotionSystem& system, const Moment& start) {
-  std::unique_ptr<MotionSystem> finer = system.refined();
-  Moment moment = finer ? system.prolong(start, *finer) : start;
-  if (!finer) finer = std::make_unique<MotionSystem>(system.layout());
+void Transient::estimate_error(const TransientStart& start) {
+  TransientStart fine_start = refine(start, model_, study_);
+  if (!fine_start.termination.converged()) return;
+  MotionSystem& finer = *fine_start.system;
   double ratio = 1.0;
-  for (std::size_t k = 0; k < system.member_count(); ++k)
-    ratio = std::max(ratio, system.port(k).error_ratio());
+  for (std::size_t k = 0; k < start.system->member_count(); ++k)
+    ratio = std::max(ratio, start.system->port(k).error_ratio());
   if (study_.step && study_.method != TransientStudy::Method::radau)
     ratio = std::max(ratio, 4.0 / 3.0);
   const TransientSteps fine{0.5 * study_.step.value_or(0.0), finer_tolerance * study_.tolerance};
@@ -102,13 +103,13 @@ void Transient::estimate_error(const MotionSystem& system, const Moment& start) 
   double worst = 0.0;
   std::size_t k = 0;
   const auto compare = [&](const Moment& at, const EnergyBalance&) {
-    const PathState state = make_path_state(model_, MovingState(*finer, at), 0.0);
+    const PathState state = make_path_state(model_, MovingState(finer, at), 0.0);
     if (k < motion_.states.size())
       worst = std::max(worst, relative_distance(motion_.states[k++].state, state, sizes, noise));
   };
-  const TransientRun run = integrate(*finer, moment, study_, fine, compare, [&](double fraction) {
-    return !keep_going_ || keep_going_(0.4 + 0.6 * fraction);
-  });
+  const TransientRun run =
+      integrate(finer, fine_start.moment, study_, fine, compare,
+                [&](double fraction) { return !keep_going_ || keep_going_(0.4 + 0.6 * fraction); });
   if (run.termination.converged()) motion_.error_estimate = ratio * worst;
 }
 

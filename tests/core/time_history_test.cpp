@@ -90,8 +90,8 @@ TEST(TimeHistory, SmoothTablesAreNaturalSplines) {
   EXPECT_DOUBLE_EQ(evaluate_history(three, 1.0).second, -3.0);
   EXPECT_DOUBLE_EQ(evaluate_history(three, 0.0).second, 0.0);
   const TableHistory uneven{{0.0, 0.5, 2.0, 2.6, 4.0}, {1.0, -1.0, 3.0, 3.5, 0.0}, true};
-  for (std::size_t i = 0; i < uneven.times.size(); ++i)
-    EXPECT_NEAR(evaluate_history(uneven, uneven.times[i]).value, uneven.values[i], 1e-14);
+  for (std::size_t i = 0; i < uneven.times().size(); ++i)
+    EXPECT_NEAR(evaluate_history(uneven, uneven.times()[i]).value, uneven.values()[i], 1e-14);
   expect_rates(uneven, {0.2, 0.9, 1.7, 2.3, 3.1, 3.9});
   for (const double row : {0.5, 2.0, 2.6}) {  // value, slope and curvature run on through a row
     const HistoryValue before = evaluate_history(uneven, row - 1e-9);

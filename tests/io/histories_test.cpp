@@ -68,9 +68,9 @@ TEST(Histories, TablesHaveRows) {
   const auto table = std::get<TableHistory>(
       read("{ table = [[0, 0], [\"1 ms\", \"= 2*a\"], [5, -1]], smooth = true }",
            "[parameters]\na = 3\n"));
-  EXPECT_EQ(table.times, (std::vector<double>{0.0, 1.0, 5.0}));
-  EXPECT_EQ(table.values, (std::vector<double>{0.0, 6.0, -1.0}));
-  EXPECT_TRUE(table.smooth);
+  EXPECT_EQ(table.times(), (std::vector<double>{0.0, 1.0, 5.0}));
+  EXPECT_EQ(table.values(), (std::vector<double>{0.0, 6.0, -1.0}));
+  EXPECT_TRUE(table.smooth());
 }
 
 TEST(Histories, ExpressionsOfTime) {
@@ -113,9 +113,9 @@ TEST_F(HistoryFile, ColumnsAreFoundByTheirNames) {
   EXPECT_EQ(testing::messages(reading.diagnostics), "");
   ASSERT_TRUE(reading.model.has_value());
   const auto table = std::get<TableHistory>(history_of(*reading.model));
-  EXPECT_EQ(table.times, (std::vector<double>{0.0, 1.0, 2.0}));
-  EXPECT_EQ(table.values, (std::vector<double>{1.5, -2.0, 3.0}));
-  EXPECT_TRUE(table.smooth);
+  EXPECT_EQ(table.times(), (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_EQ(table.values(), (std::vector<double>{1.5, -2.0, 3.0}));
+  EXPECT_TRUE(table.smooth());
 }
 
 TEST_F(HistoryFile, SaysWhereItIsWrong) {
