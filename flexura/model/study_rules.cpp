@@ -115,6 +115,10 @@ struct StudyRules {
         mistakes.add(path / "modelings" / m,
                      "the printed elements have no place in buckling: a path shows where they lose "
                      "their stiffness; 'von_karman' buckles");
+      if (std::holds_alternative<ContinuumSettings>(study.modelings[m].kind))
+        mistakes.add(path / "modelings" / m,
+                     "modeling continuum has no place in buckling: a path notes where a continuum "
+                     "loses its stability; exact, beam and bcm buckle");
     }
     check_load_ratios(study.modelings, "by arc length", path, mistakes);
     check_modelings(model, study.modelings, study.reference, path, mistakes);

@@ -158,11 +158,4 @@ void DeadLoad::add(const Surroundings& surroundings, double length, const double
   field.turn_factor -= by_turn;
 }
 
-SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
-                        const Eigen::Vector3d& load) {
-  const Vec2 f{load[0], load[1]};
-  const Vec2 t = unit(grid.angles[station] + moved.rotation);
-  return {moved, dot(f, t), dot(f, perp(t)), load[2] + cross(tip - moved.position, f)};
-}
-
 }  // namespace flexura

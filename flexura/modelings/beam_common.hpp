@@ -60,11 +60,6 @@ void eliminate_with_fields(const DisplacementElements& e, const Eigen::Vector3d&
 /// TwoPort::hessian of the same.
 Eigen::MatrixXd displacement_hessian(const DisplacementElements& e, double* scratch);
 
-/// The section at a station from its pose, with the forces that hold it in equilibrium with the
-/// tip.
-SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
-                        const Eigen::Vector3d& load);
-
 /// Adds to the sections' forces what acts along the flexure ahead of them; `nodes` are the places
 /// of the grid's nodes.
 void add_dead_forces(const StationGrid& grid, const FlexureProperties& flexure,

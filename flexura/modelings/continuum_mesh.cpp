@@ -95,9 +95,45 @@ std::vector<double> even_stations(const std::vector<double>& breaks, std::size_t
   return stations;
 }
 
-/// Short elements at both ends, and between breaks none that turns by more than `turn` or is longer
-/// than `share` of the flexure.
-std::vector<double> graded_stations(const StripShape& shape, double turn, double share) {
+/// How much an element may take on: turn of the axis, share of the length, and change of the
+/// thickness' logarithm.
+struct Needs {
+  int order = 6;
+  int order_across = 3;
+  double turn = 0.5;
+  double share = 0.25;
+  double thickness = 0.5;
+};
+
+/// Adds stations behind a until b that share out evenly what an element may take on.
+void add_stations(const StripShape& shape, double a, double b, const Needs& needs,
+                  std::vector<double>& stations) {
+  constexpr int looks = 200;
+  std::vector<double> used{0.0};
+  const auto place = [&](int k) { return a + (b - a) * k / looks; };
+  for (int k = 0; k < looks; ++k) {
+    const double from = place(k);
+    const double to = place(k + 1);
+    const double turned =
+        std::abs(shape.axis.tangent_angle(to) - shape.axis.tangent_angle(from)) / needs.turn;
+    const double thicker =
+        std::abs(std::log(shape.thickness(to) / shape.thickness(from))) / needs.thickness;
+    const double longer = (to - from) / (needs.share * shape.axis.length());
+    used.push_back(used.back() + std::max({turned, thicker, longer}));
+  }
+  const auto pieces = static_cast<std::size_t>(std::ceil(used.back() - 1e-9));
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < pieces; ++i) {
+    const double wanted = used.back() * static_cast<double>(i) / static_cast<double>(pieces);
+    while (used[k + 1] < wanted) ++k;
+    const double share = (wanted - used[k]) / (used[k + 1] - used[k]);
+    stations.push_back(place(static_cast<int>(k)) + share * (b - a) / looks);
+  }
+  stations.push_back(b);
+}
+
+/// Short elements at both ends, and breaks between elements.
+std::vector<double> graded_stations(const StripShape& shape, const Needs& needs) {
   const double length = shape.axis.length();
   std::vector<double> breaks = shape.breaks();
   const double layer[2] = {shape.thickness(0.0), shape.thickness(length)};
@@ -106,17 +142,12 @@ std::vector<double> graded_stations(const StripShape& shape, double turn, double
     if (multiple * layer[1] < 0.2 * length) breaks.push_back(length - multiple * layer[1]);
   }
   std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   std::vector<double> stations{0.0};
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    const double a = breaks[k];
-    const double b = breaks[k + 1];
-    const double turned = std::abs(shape.axis.tangent_angle(b) - shape.axis.tangent_angle(a));
-    const double pieces =
-        std::max({1.0, std::ceil(turned / turn), std::ceil((b - a) / (share * length))});
-    for (double i = 1.0; i < pieces; i += 1.0) stations.push_back(a + (b - a) * i / pieces);
-    stations.push_back(b);
-  }
+  for (const double s : breaks)
+    if (s > stations.back() + 1e-3 * std::min(layer[0], layer[1]))
+      add_stations(shape, stations.back(), s, needs, stations);
+  stations.back() = length;
+  if (stations.size() == 2) stations.insert(stations.begin() + 1, 0.5 * length);
   return stations;
 }
 
@@ -181,17 +212,11 @@ void map_points(StripMesh& mesh, const StripShape& shape) {
 }
 
 /// What the tolerance needs where the settings do not say, from the convergence of cantilevers and
-/// of the arc chain (docs/continuum.md).
-struct Needs {
-  int order = 6;
-  int order_across = 3;
-  double turn = 0.5;
-  double share = 0.25;
-};
+/// of the arc chain (verification/continuum_test.cpp).
 Needs needs_of(double tolerance) {
-  if (tolerance > 3e-4) return {4, 2, 0.6, 0.34};
-  if (tolerance > 1e-5) return {5, 3, 0.5, 0.25};
-  return {6, 4, 0.5, 0.2};
+  if (tolerance > 3e-4) return {4, 2, 0.6, 0.34, 0.7};
+  if (tolerance > 1e-5) return {5, 3, 0.5, 0.25, 0.5};
+  return {6, 4, 0.5, 0.2, 0.35};
 }
 
 }  // namespace
@@ -207,7 +232,7 @@ StripMesh make_strip_mesh(const StripShape& shape, const ContinuumSettings& sett
   mesh.cross_line = LagrangeLine(order_across);
   mesh.stations = settings.elements
                       ? even_stations(shape.breaks(), static_cast<std::size_t>(*settings.elements))
-                      : graded_stations(shape, needs.turn, needs.share);
+                      : graded_stations(shape, needs);
   mesh.along = mesh.stations.size() - 1;
   mesh.across = static_cast<std::size_t>(settings.across.value_or(order_across == 1 ? 8 : 1));
   mesh.columns = mesh.along * static_cast<std::size_t>(order) + 1;

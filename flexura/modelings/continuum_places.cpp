@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "flexura/core/quadrature.hpp"
-#include "flexura/modelings/beam_common.hpp"
 #include "flexura/modelings/continuum_port.hpp"
 
 namespace flexura {

@@ -46,4 +46,11 @@ StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
   return moments;
 }
 
+SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
+                        const Eigen::Vector3d& load) {
+  const Vec2 f{load[0], load[1]};
+  const Vec2 t = unit(grid.angles[station] + moved.rotation);
+  return {moved, dot(f, t), dot(f, perp(t)), load[2] + cross(tip - moved.position, f)};
+}
+
 }  // namespace flexura

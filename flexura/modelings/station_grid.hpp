@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "flexura/assembly/two_port.hpp"
 #include "flexura/core/quadrature.hpp"
 #include "flexura/core/vec2.hpp"
 #include "flexura/geometry/axis_curve.hpp"
@@ -73,5 +74,10 @@ auto StationGrid::integrate(const std::vector<Value>& at_nodes) const -> Integra
 StationGrid::Integral<double> moments_ahead(const StationGrid& grid,
                                             const std::vector<Vec2>& slopes,
                                             const std::vector<Vec2>& forces);
+
+/// The section at a station from its pose, with the forces that hold it in equilibrium with the
+/// tip.
+SectionState section_at(const StationGrid& grid, std::size_t station, const Pose& moved, Vec2 tip,
+                        const Eigen::Vector3d& load);
 
 }  // namespace flexura

@@ -29,11 +29,21 @@ inline ModelingSettings no_strain(ModelingSettings settings) { return in_theory(
 /// Su's and Howell's parameters are fits, unsymmetrical ones; SCMBM relates load and displacement
 /// in the frame of its base body alone; neither it nor a pseudo-rigid chain is right at half its
 /// length. Elements of the beam constraint model count from the frame of their base. Two halves of
-/// a two-node mesh have other nodes than the whole.
+/// a two-node mesh have other nodes than the whole. The faces of a continuum's halves are stiff,
+/// and its compliance is not that of a beam.
 inline std::vector<SuiteEntry> suite_entries() {
   const auto prbm_by = [](PrbmSettings parameters) { return no_strain(prbm(parameters)); };
   const PrbmSegments segments{{0.2, 0.3, 0.3, 0.2}, {3.0, 2.5, 3.0}};
   const PrbmJoints joints{{{-0.3, -0.05}, {0.0, 0.1}, {0.3, -0.05}}, {2.8, 3.1, 2.8}};
+  ContinuumSettings neo_hookean;
+  neo_hookean.law = ContinuumSettings::Law::neo_hookean;
+  neo_hookean.elements = 8;
+  neo_hookean.order = 3;
+  ContinuumSettings contracting;
+  contracting.contracting = true;
+  contracting.elements = 30;
+  contracting.order = 1;
+  contracting.across = 2;
   const bool no = false;
   return {{"linear", linear()},
           {"scmbm_centre", scmbm_centre(), true, no, no},
@@ -55,7 +65,11 @@ inline std::vector<SuiteEntry> suite_entries() {
           {"von_karman", von_karman(16), true, true, no, no},
           {"von_karman_unshearable", in_theory(von_karman(16), "ii"), true, true, no, no},
           {"printed", in_theory(printed_beam(16), "ii"), no, true, no},
-          {"linear_beam", linear_beam(8), true, true, no, no}};
+          {"linear_beam", linear_beam(8), true, true, no, no},
+          {"continuum", continuum(8, 1, 4), true, true, no, no},
+          {"continuum_four_node", continuum(40, 2, 1), true, true, no, no},
+          {"continuum_neo_hookean", continuum(neo_hookean), true, true, no, no},
+          {"continuum_contracting", continuum(contracting), true, true, no, no}};
 }
 
 /// A chain of two flexures, ground - link - stage, with the point "stage.P" off its last end; arcs

@@ -24,14 +24,16 @@ class TwoPortProperties : public ::testing::TestWithParam<SuiteEntry> {
   Answer answer(const Eigen::Vector3d& load) const {
     const std::size_t m = port().internal_size();
     std::vector<double> scratch(port().scratch_size());
+    std::vector<double> step(m);
     Answer answer;
     answer.internal.assign(m, 0.0);
     for (int k = 0; k < 25; ++k) {
       answer.response = port().linearize(load, answer.internal.data(), scratch.data());
       double size = 0.0;
+      port().advance(scratch.data(), 1.0, Eigen::Vector3d::Zero(), step.data());
       for (std::size_t i = 0; i < m; ++i) {
-        answer.internal[i] -= scratch[4 * i];
-        size = std::max(size, std::abs(scratch[4 * i]));
+        answer.internal[i] += step[i];
+        size = std::max(size, std::abs(step[i]));
       }
       answer.steps.push_back(size);
       if (size < 1e-14 ||

@@ -50,6 +50,18 @@ inline ModelingSettings bcm(int elements = 1) {
   return settings_of(BcmSettings{elements}, "bcm", 1e-11);
 }
 
+inline ModelingSettings continuum(ContinuumSettings settings) {
+  return settings_of(settings, "continuum", 1e-11);
+}
+/// Elements of one order both ways.
+inline ModelingSettings continuum(int elements, int across, int order) {
+  ContinuumSettings settings;
+  settings.elements = elements;
+  settings.across = across;
+  settings.order = order;
+  return continuum(settings);
+}
+
 /// The reference solutions' theories: i without axial and shear strain, ii without shear strain,
 /// iii with both.
 inline ModelingSettings in_theory(ModelingSettings settings, const std::string& theory) {
