@@ -36,8 +36,13 @@ class MotionPortProperties : public ::testing::TestWithParam<SuiteEntry> {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     std::vector<double> y = port().weights();
-    for (double& v : y) v *= std::min(0.1, 1.0 / static_cast<double>(size())) * uniform(random);
+    // nodes of a continuum that move apart strain it by what they are apart
+    const double most = is_continuum() ? 0.01 : 0.1;
+    for (double& v : y) v *= std::min(most, 1.0 / static_cast<double>(size())) * uniform(random);
     return y;
+  }
+  static bool is_continuum() {
+    return std::holds_alternative<ContinuumSettings>(GetParam().settings.kind);
   }
   static Eigen::Vector3d some_load() { return {0.04, -0.05, 0.2}; }
   static std::vector<double> moved(const std::vector<double>& y, const std::vector<double>& by,
@@ -90,7 +95,12 @@ TEST_P(MotionPortProperties, RestsAsDrawn) {
     if (point.direction)
       EXPECT_NEAR(norm(work_.places[g]), 1.0, 2e-2);  // along an interpolated axis, nearly
     else
-      EXPECT_LT(norm(work_.places[g] - (axis.position(point.s) - axis.position(0.0))), 1e-13);
+      EXPECT_LT(norm(work_.places[g] - (axis.position(point.s) - axis.position(0.0))),
+                is_continuum() ? 0.15 : 1e-13);
+  }
+  if (is_continuum()) {  // with its outline interpolated
+    EXPECT_NEAR(mass, density * 0.3 * axis.length(), 2e-3 * mass);
+    return;
   }
   EXPECT_NEAR(mass, density * 0.3 * axis.length(), 1e-12);
   EXPECT_NEAR(rotary, density * 0.3 * 0.3 * 0.3 / 12.0 * axis.length(), 1e-12);
@@ -167,9 +177,11 @@ TEST_P(MotionPortProperties, RatesAndSlopesAreThoseOfThePlaces) {
 TEST_P(MotionPortProperties, AnswersALoadAsAtRest) {
   const TwoPort& still = *still_.members[0].port;
   std::vector<double> internal(still.internal_size(), 0.0), scratch(still.scratch_size());
+  std::vector<double> change(internal.size());
   for (int k = 0; k < 30; ++k) {
-    still.linearize(some_load(), internal.data(), scratch.data());
-    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] -= scratch[4 * i];
+    still.linearize(std::min(1.0, 0.1 * (k + 1)) * some_load(), internal.data(), scratch.data());
+    still.advance(scratch.data(), 1.0, Eigen::Vector3d::Zero(), change.data());
+    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] += change[i];
   }
   const Eigen::Vector3d expected =
       still.linearize(some_load(), internal.data(), scratch.data()).tip;

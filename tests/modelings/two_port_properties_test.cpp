@@ -22,16 +22,24 @@ class TwoPortProperties : public ::testing::TestWithParam<SuiteEntry> {
   };
 
   Answer answer(const Eigen::Vector3d& load) const {
-    const std::size_t m = port().internal_size();
-    std::vector<double> scratch(port().scratch_size());
-    std::vector<double> step(m);
     Answer answer;
-    answer.internal.assign(m, 0.0);
+    answer.internal.assign(port().internal_size(), 0.0);
+    // from rest at once, but for meshes whose coarse elements would leave Newton's basin
+    if (is_continuum())
+      for (const double share : {0.25, 0.5, 0.75}) iterate(share * load, answer);
+    iterate(load, answer);
+    EXPECT_LT(answer.steps.back(), 1e-10);
+    return answer;
+  }
+  void iterate(const Eigen::Vector3d& load, Answer& answer) const {
+    std::vector<double> scratch(port().scratch_size());
+    std::vector<double> step(port().internal_size());
+    answer.steps.clear();
     for (int k = 0; k < 25; ++k) {
       answer.response = port().linearize(load, answer.internal.data(), scratch.data());
-      double size = 0.0;
       port().advance(scratch.data(), 1.0, Eigen::Vector3d::Zero(), step.data());
-      for (std::size_t i = 0; i < m; ++i) {
+      double size = 0.0;
+      for (std::size_t i = 0; i < step.size(); ++i) {
         answer.internal[i] += step[i];
         size = std::max(size, std::abs(step[i]));
       }
@@ -41,8 +49,9 @@ class TwoPortProperties : public ::testing::TestWithParam<SuiteEntry> {
         break;
     }
     answer.response = port().linearize(load, answer.internal.data(), scratch.data());
-    EXPECT_LT(answer.steps.back(), 1e-10);
-    return answer;
+  }
+  static bool is_continuum() {
+    return std::holds_alternative<ContinuumSettings>(GetParam().settings.kind);
   }
   const TwoPort& port() const { return *layout_.members[0].port; }
   /// From the base end to the point that the tip's load acts at, as drawn.
@@ -60,8 +69,8 @@ class TwoPortProperties : public ::testing::TestWithParam<SuiteEntry> {
 TEST_P(TwoPortProperties, IsFreeOfStressAsDrawn) {
   const Answer rest = answer(Eigen::Vector3d::Zero());
   const Vec2 tip = drawn_tip();
-  EXPECT_LT((rest.response.tip - Eigen::Vector3d(tip.x, tip.y, 0.0)).norm(), 1e-14);
-  EXPECT_NEAR(rest.response.strain_energy, 0.0, 1e-15);
+  EXPECT_LT((rest.response.tip - Eigen::Vector3d(tip.x, tip.y, 0.0)).norm(), 1e-13);
+  EXPECT_NEAR(rest.response.strain_energy, 0.0, 1e-16 * 2100.0);  // rounding of the modulus
   EXPECT_EQ(rest.response.negative, 0);
   for (const double y : rest.internal) EXPECT_NEAR(y, 0.0, 1e-14);
   const AxisCurve axis(chain_.model().flexures[0].axis);
@@ -118,7 +127,7 @@ TEST_P(TwoPortProperties, InternalNewtonStepsShrinkQuadratically) {
   const auto* beam = std::get_if<BeamSettings>(&GetParam().settings.kind);
   if (beam && beam->theory == BeamSettings::Theory::linear) GTEST_SKIP() << "one step suffices";
   const bool curvatures = beam && beam->theory == BeamSettings::Theory::von_karman;
-  const bool displacements = beam && GetParam().settings.axial;
+  const bool displacements = (beam && GetParam().settings.axial) || is_continuum();
   const double constant = curvatures ? 4000.0 : displacements ? 2000.0 : 20.0;
   bool seen = false;
   for (std::size_t k = 0; k + 1 < here.steps.size(); ++k) {
