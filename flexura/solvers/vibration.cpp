@@ -69,8 +69,8 @@ void normalize(Vibrations& modes, const Eigen::VectorXd& squared_sizes) {
     modes.shapes.col(i) /= std::sqrt(squared_sizes[i]);
 }
 
-/// Takes out what rounding has left in a shape of those before it: zero frequencies answer the
-/// least load without bound.
+/// Takes out what rounding has left in a shape of those before it: low frequencies answer the
+/// least load by much, zero ones without bound.
 void part_from_lower(Vibrations& modes, const Eigen::MatrixXd& mass) {
   for (Eigen::Index k = 1; k < modes.shapes.cols(); ++k) {
     const Eigen::VectorXd momentum = mass * modes.shapes.col(k);
@@ -145,7 +145,7 @@ Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::Matri
     modes.shapes.col(k) = inverse.moved * inverse.eigen.eigenvectors().col(i);
   }
   normalize(modes, (modes.shapes.transpose() * mass * modes.shapes).diagonal());
-  if (shift > 0.0) part_from_lower(modes, mass);
+  part_from_lower(modes, mass);
   modes.found = true;
   return modes;
 }
@@ -187,22 +187,24 @@ std::optional<int> SparseSolver::below(double square) const {
 /// factor of ten: of the size of what is asked for, in whatever units. Where masses are fewer, near
 /// the highest.
 bool SparseSolver::find_shift() {
-  constexpr int most = 60;  // powers of ten
+  constexpr int most = 60;   // powers of ten
+  constexpr int quiet = 12;  // without one more: there are no more
   const int wanted = static_cast<int>(std::max(count_, op_.most_rigid())) + 1;
   const auto count = [&](int power) { return below(std::pow(10.0, power)).value_or(0); };
   int power = 0;
-  if (count(0) >= wanted) {
-    while (power > -most && count(power - 1) >= wanted) --power;
-  } else {
-    int found = 0;
-    for (int higher = -most; higher < most && found < wanted; ++higher) {
-      if (const int now = count(higher); now > found) {
-        found = now;
-        power = higher;
-      }
+  int found = count(0);
+  for (int higher = 1; higher < most && found < wanted; ++higher) {
+    const int now = count(higher);
+    if (now > found) {
+      found = now;
+      power = higher;
+    } else if (found > 0 && higher - power > quiet) {
+      break;
     }
-    if (found == 0) return false;
   }
+  if (found == 0) return false;
+  const int enough = std::min(found, wanted);
+  while (power > -most && count(power - 1) >= enough) --power;
   shift_ = std::pow(10.0, power);
   return grow_until_definite();
 }

@@ -226,11 +226,15 @@ TEST(Response, ModalDampingIsThatOfTheFullMatrix) {
     damping += stiffness_damping * stiffness.topLeftCorner(n, n);
     const double first = std::sqrt(modes.squares[0]);
     for (const double w : {0.0, 0.3 * first, first, std::sqrt(modes.squares[3]), 1e3 * first}) {
-      Eigen::MatrixXcd whole = stiffness.cast<Complex>();
-      whole.topLeftCorner(n, n) += Complex(0.0, w) * damping - w * w * mass;
-      Eigen::VectorXcd rhs = Eigen::VectorXcd::Zero(n + m);
-      rhs.head(n) = load.cast<Complex>();
-      const Eigen::VectorXcd truth = whole.partialPivLu().solve(rhs).head(n);
+      // stretching is so much stiffer than bending that doubles lose half their digits
+      using Long = std::complex<long double>;
+      Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic> whole = stiffness.cast<Long>();
+      whole.topLeftCorner(n, n) +=
+          Long(0.0L, w) * damping.cast<Long>() - Long(w) * Long(w) * mass.cast<Long>();
+      Eigen::Vector<Long, Eigen::Dynamic> rhs = Eigen::Vector<Long, Eigen::Dynamic>::Zero(n + m);
+      rhs.head(n) = load.cast<Long>();
+      const Eigen::VectorXcd truth =
+          whole.partialPivLu().solve(rhs).head(n).template cast<Complex>();
       const Eigen::VectorXcd found = harmonic.solve(load, w);
       ASSERT_EQ(found.size(), n);
       EXPECT_LT((found - truth).norm(), 1e-7 * truth.norm()) << w << " " << stiffness_damping;
