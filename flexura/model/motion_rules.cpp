@@ -80,7 +80,7 @@ struct MotionRules {
     const Study& other = model.studies[about.study];
     const auto* traced = std::get_if<PathStudy>(&other.kind);
     if (!traced) return;
-    const auto follows = [](const Load& load) { return load.follower; };
+    const auto follows = [](const Load& load) { return load.follower && load.force != Vec2{}; };
     if (std::any_of(traced->loads.begin(), traced->loads.end(), follows))
       mistakes.add(path / "about" / "study",
                    fmt::format("study '{}' has follower loads, which have no potential: vibrations "
