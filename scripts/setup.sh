@@ -9,7 +9,7 @@ jobs=$(nproc)
 build_packages=(
   g++ cmake ninja-build pkg-config
   libeigen3-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libmuparser-dev
-  libspectra-dev libtbb-dev liblapack-dev node-d3
+  libtbb-dev liblapack-dev node-d3
 )
 test_packages=(libgtest-dev libbenchmark-dev python3)
 browser_packages=(chromium chromium-driver fonts-dejavu-core)

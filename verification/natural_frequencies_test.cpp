@@ -115,6 +115,55 @@ TEST(CantileverFrequencies, Timoshenko) {
   }
 }
 
+/// Sections that turn with the axis alone have nothing to do with its stretching: axial vibrations
+/// of a stubby bar, sqrt(E/rho) (k - 1/2) pi, are those without rotary inertia. In bending both
+/// modelings agree.
+TEST(CantileverFrequencies, RayleighsRotaryInertiaLeavesAxialVibrations) {
+  const Mechanism stub = bar(RectangleSection{0.2, 0.1}, straight);
+  ModesStudy study;
+  study.count = 10;
+  study.inertia.shear_rotary = false;
+  const auto modal = frequencies(stub, study, exact());
+  const double speed = std::sqrt(modulus / density);
+  for (const auto& settings : {exact_modes(24), beam(16, 5)}) {
+    const auto found = frequencies(stub, study, settings);
+    for (const double k : {0.5, 1.5}) {
+      double nearest = INFINITY;
+      for (const double w : found)
+        nearest = std::min(nearest, std::abs(w / (k * pi * speed) - 1.0));
+      note_measured(settings.label + std::to_string(k), nearest);
+      EXPECT_LT(nearest, 1e-8) << settings.label << " " << k;
+    }
+    note_measured(settings.label, largest_difference(found, modal));
+    EXPECT_LT(largest_difference(found, modal), 1e-8) << settings.label;
+  }
+}
+
+/// Masses at the nodes of force-beam elements: the error of the first frequency of a bar of order 1
+/// falls with the square of the element's length, as consistent masses' does.
+TEST(CantileverFrequencies, LumpedMassesOfInextensibleBeamsConverge) {
+  const double w =
+      1.8751040687119611 * 1.8751040687119611 * std::sqrt(modulus * side * side / 12.0 / density);
+  ModesStudy study;
+  study.count = 1;
+  study.inertia.rotary = false;
+  double errors[2][2];
+  for (const bool lumped : {false, true})
+    for (const int k : {0, 1}) {
+      study.inertia.lumped = lumped;
+      const auto found =
+          frequencies(bar(uniform, straight), study, in_theory(beam(16 << k, 1), "i"));
+      ASSERT_EQ(found.size(), 1u);
+      errors[lumped][k] = found[0] / w - 1.0;
+    }
+  note_measured("consistent", errors[0][1]);
+  note_measured("lumped", errors[1][1]);
+  EXPECT_NEAR(errors[0][0] / errors[0][1], 4.0, 0.1);
+  EXPECT_NEAR(errors[1][0] / errors[1][1], 4.0, 0.1);
+  EXPECT_GT(std::abs(errors[1][1] / errors[0][1] - 1.0), 0.1) << "lumping makes no difference";
+  EXPECT_LT(std::abs(errors[1][1]), 1e-3);
+}
+
 struct AbaqusCase {
   std::string name;
   Section section;

@@ -72,8 +72,13 @@ double MemberMotion::elastic_damping_power(const double* v, double stiffness_dam
 
 /// A point's force keeps its direction in the plane while the base section turns, hence the
 /// geometric terms: seen from the base section it turns back.
-void MemberMotion::linearize(const Eigen::Vector3d& load, const double* y) {
+void MemberMotion::linearize(const Eigen::Vector3d& load, const double* y, bool with_elastic) {
   const BandLayout layout = port_->layout();
+  elastic_.clear();
+  if (with_elastic) {
+    port_->linearize(Eigen::Vector3d::Zero(), y, nullptr, work_);
+    elastic_ = work_.tangent;
+  }
   std::fill(mass_.begin(), mass_.end(), 0.0);
   stiffness_coupling_.setZero();
   mass_coupling_.setZero();

@@ -45,8 +45,9 @@ class MemberMotion {
   MemberForces evaluate(const Eigen::Vector3d& load, const double* y, const double* v,
                         const double* a, const BaseMotion& base, double mass_damping,
                         double stiffness_damping);
-  /// Stiffness and mass at the last evaluation, by the accelerations it had.
-  void linearize(const Eigen::Vector3d& load, const double* y);
+  /// Stiffness and mass at the last evaluation, by the accelerations it had. `with_elastic`: the
+  /// stiffness of the energy by itself as well, which damping by the rate of elastic forces has.
+  void linearize(const Eigen::Vector3d& load, const double* y, bool with_elastic);
 
   const MotionPort& port() const { return *port_; }
   const std::shared_ptr<const MotionPort>& shared_port() const { return port_; }
@@ -68,6 +69,7 @@ class MemberMotion {
 
   // Of the last linearization:
   const std::vector<double>& stiffness() const { return work_.tangent; }
+  const std::vector<double>& elastic() const { return elastic_; }  ///< empty if not asked for
   const std::vector<double>& mass() const { return mass_; }
   const Coupling& stiffness_coupling() const { return stiffness_coupling_; }
   const Coupling& mass_coupling() const { return mass_coupling_; }
@@ -85,6 +87,7 @@ class MemberMotion {
   std::vector<Vec2> forces_;
   std::vector<double> residual_;
   std::vector<double> elastic_rate_;  // for damping
+  std::vector<double> elastic_;
   std::vector<double> mass_;
   Coupling stiffness_coupling_;
   Coupling mass_coupling_;

@@ -77,6 +77,9 @@ class MotionSystem {
 
   Eigen::Index coordinates() const { return coordinates_; }
   Eigen::Index multipliers() const { return multipliers_; }
+  /// Those of the coordinates that are the bodies' and the pinned ends': all that rigid motions
+  /// need.
+  Eigen::Index moving() const { return moving_; }
   Eigen::Index size() const { return coordinates_ + multipliers_; }
   /// At rest as drawn.
   Moment drawn_moment() const;
@@ -89,6 +92,9 @@ class MotionSystem {
   /// Of stiffness + mass * M + damping * C at the last linearization; false where it is singular.
   template <class T>
   bool factorize(T mass, T damping, MotionFactor<T>& factor) const;
+  /// Negative eigenvalues of a factorized matrix among the motions that the constraints allow; none
+  /// where it is singular.
+  std::optional<int> negative(const MotionFactor<double>& factor) const;
   /// In place, coordinates first.
   template <class T>
   void solve(const MotionFactor<T>& factor, VectorX<T>& b) const;
@@ -150,6 +156,11 @@ class MotionSystem {
   bool linearised() const { return layout_.mechanism.linearised; }
   double mean_length() const { return length_; }
 
+  /// Against the velocity of all mass, and the rate of the flexures' elastic forces.
+  void set_rayleigh_damping(double mass, double stiffness) {
+    layout_.mass_damping = mass;
+    layout_.stiffness_damping = stiffness;
+  }
   /// Forces that damp modes; not among the damping of `factorize`, to which they are small.
   void set_modal_damping(std::vector<ModalForce> damping) { modal_damping_ = std::move(damping); }
   const std::vector<ModalForce>& modal_damping() const { return modal_damping_; }
@@ -209,7 +220,7 @@ class MotionSystem {
   void linearize_pairs(const Moment& moment);
   void linearize_rest(const Moment& moment);
   template <class T>
-  void add_member_matrix(std::size_t member, T mass, T stiffness, MotionFactor<T>& factor) const;
+  void add_member_matrix(std::size_t member, T mass, T elastic, MotionFactor<T>& factor) const;
   /// Outer unknowns of a flexure by the reduced ones: rows of the load, base end and base section.
   struct OuterMap {
     std::array<int, 7> columns;  // load (3), base x, y, turn, section; -1 where held

@@ -10,7 +10,8 @@ void MotionSystem::linearize(const Moment& moment) {
   damping_.setZero();
   mass_.setZero();
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k].linearize(member_load(k, moment.multipliers), internal(k, moment.q));
+    members_[k].linearize(member_load(k, moment.multipliers), internal(k, moment.q),
+                          layout_.stiffness_damping != 0.0);
     const Placed& placed = placed_[k];
     const auto& unknowns = numbering_.members[k].unknowns;
     const Eigen::Index load = moving_ + load_row(k);
@@ -130,10 +131,10 @@ auto MotionSystem::outer_map(std::size_t member) const -> OuterMap {
 }
 
 template <class T>
-void MotionSystem::add_member_matrix(std::size_t member, T mass, T stiffness,
+void MotionSystem::add_member_matrix(std::size_t member, T mass, T elastic,
                                      MotionFactor<T>& factor) const {
   MemberFactor<T>& inner = factor.members[member];
-  inner.factorize(members_[member], mass, stiffness);
+  inner.factorize(members_[member], mass, elastic);
   const OuterMap map = outer_map(member);
   const Eigen::Matrix<T, 7, 7> block =
       map.matrix.transpose().template cast<T>() * inner.outer * map.matrix.template cast<T>();
@@ -148,7 +149,7 @@ void MotionSystem::add_member_matrix(std::size_t member, T mass, T stiffness,
 template <class T>
 bool MotionSystem::factorize(T mass, T damping, MotionFactor<T>& factor) const {
   const T all_mass = mass + layout_.mass_damping * damping;
-  const T elastic = 1.0 + layout_.stiffness_damping * damping;
+  const T elastic = layout_.stiffness_damping * damping;
   factor.members.resize(members_.size());
   factor.matrix = stiffness_.template cast<T>() + damping * damping_.template cast<T>();
   factor.matrix.diagonal().head(moving_) += all_mass * mass_.template cast<T>();
@@ -160,6 +161,15 @@ bool MotionSystem::factorize(T mass, T damping, MotionFactor<T>& factor) const {
   if (pivots.size() == 0) return true;
   const double ratio = pivots.minCoeff() / pivots.maxCoeff();
   return std::isfinite(ratio) && ratio > 0.0;
+}
+
+/// Every constraint adds one eigenvalue of each sign to those of what it allows.
+std::optional<int> MotionSystem::negative(const MotionFactor<double>& factor) const {
+  SymmetricFactor reduced;
+  if (!reduced.factorize(factor.matrix)) return std::nullopt;
+  int sum = reduced.negative() - static_cast<int>(multipliers_);
+  for (const MemberFactor<double>& member : factor.members) sum += member.negative;
+  return sum;
 }
 
 template <class T>

@@ -74,6 +74,21 @@ struct MotionRules {
     }
   }
 
+  /// Vibrations about a state are found by solvers for symmetric matrices.
+  void refuse_followers(const StudyState& about) const {
+    if (about.study >= model.studies.size()) return;
+    const Study& other = model.studies[about.study];
+    const auto* traced = std::get_if<PathStudy>(&other.kind);
+    if (!traced) return;
+    const auto follows = [](const Load& load) { return load.follower && load.force != Vec2{}; };
+    if (std::any_of(traced->loads.begin(), traced->loads.end(), follows))
+      mistakes.add(path / "about" / "study",
+                   fmt::format("study '{}' has follower loads, which have no potential: vibrations "
+                               "about its states have no real frequencies to be sure of. A "
+                               "transient shows whether they grow",
+                               other.name));
+  }
+
   /// A path by arc length reaches its last load factor from the side on which it starts.
   void check_load_factor(double load_factor, const PathStudy& traced, const std::string& name,
                          const KeyPath& key) const {
@@ -195,7 +210,10 @@ struct TransientRules {
 void check_motion(const Model& model, const ModesStudy& study, const KeyPath& path,
                   Mistakes& mistakes) {
   const MotionRules rules{model, path, mistakes};
-  if (study.about) rules.check_state(*study.about, path / "about", false);
+  if (study.about) {
+    rules.check_state(*study.about, path / "about", false);
+    rules.refuse_followers(*study.about);
+  }
   rules.refuse_assembly(study.about, "about");
   mistakes.require_between(path / "count", study.count, 1, most_modes);
   rules.check_common(study.modelings, study.reference, study.inertia);
@@ -230,7 +248,10 @@ void check_motion(const Model& model, const ResponseStudy& study, const KeyPath&
       mistakes.add(path / "loads" / i / "follower",
                    "an amplitude is small and does not turn with its body: the load keeps its "
                    "direction");
-  if (study.about) rules.check_state(*study.about, path / "about", false);
+  if (study.about) {
+    rules.check_state(*study.about, path / "about", false);
+    rules.refuse_followers(*study.about);
+  }
   rules.refuse_assembly(study.about, "about");
   const KeyPath range = path / "frequencies";
   if (study.logarithmic) {

@@ -153,6 +153,7 @@ void AngleChainMotion::turn_directions(const Scratch& s, const double* v, const 
 void AngleChainMotion::gather_weights(const Vec2* weights, Vec2 on_tip, Vec2* on_arms) const {
   Vec2 ahead = on_tip;
   std::size_t next = chain_.places.size();
+  std::fill(on_arms + chain_.intervals.back(), on_arms + chain_.arms.size(), Vec2{});
   for (std::size_t k = chain_.intervals.size() - 1; k-- > 0;) {
     for (std::size_t arm = chain_.intervals[k]; arm < chain_.intervals[k + 1]; ++arm)
       on_arms[arm] = chain_.arms[arm].weight * ahead;

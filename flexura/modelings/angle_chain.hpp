@@ -49,7 +49,8 @@ struct AngleChain {
 
   std::size_t unknowns = 0;
   std::vector<Arm> arms;
-  std::vector<std::size_t> intervals;  ///< first arm of each, and one past the last
+  /// First arm of each, and one past the last; arms behind that only turn directions.
+  std::vector<std::size_t> intervals;
   Rows turns;
   Rows axial;                     ///< none: no axial strain
   Rows shear;                     ///< none: no shear strain

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "flexura/core/quadrature.hpp"
@@ -54,6 +55,8 @@ class ForceBeamMotionPort final : public MotionPort {
   AngleChain make_chain() const;
   void add_forces(AngleChain& chain) const;
   void add_mass_points(AngleChain& chain) const;
+  void add_nodes(AngleChain& chain) const;
+  void add_node_arms(AngleChain& chain) const;
 
   FlexureProperties flexure_;
   FlexureInertia inertia_;
@@ -97,7 +100,10 @@ AngleChain ForceBeamMotionPort::make_chain() const {
   }
   chain.intervals.push_back(points);
   add_forces(chain);
-  add_mass_points(chain);
+  if (inertia_.lumped)
+    add_nodes(chain);
+  else
+    add_mass_points(chain);
   return chain;
 }
 
@@ -122,7 +128,7 @@ void ForceBeamMotionPort::add_forces(AngleChain& chain) const {
 }
 
 /// At the Gauss points, which lie where the tangents before them lead; consistent as far as their
-/// rule reaches. Lumped masses sit where the elements end.
+/// rule reaches.
 void ForceBeamMotionPort::add_mass_points(AngleChain& chain) const {
   const int order = static_cast<int>(mesh_.order);
   const std::vector<double>& partial = gauss_partial_integrals(order);
@@ -152,6 +158,65 @@ void ForceBeamMotionPort::add_mass_points(AngleChain& chain) const {
     chain.points.push_back(
         {here.s, here.weight * inertia_.at(here.s).rotary, true, 0, chain.unknowns, {}});
   }
+}
+
+/// At every element's nodes, by the Gauss-Lobatto rule; the flexure's first moves with its base.
+void ForceBeamMotionPort::add_nodes(AngleChain& chain) const {
+  const QuadratureRule& rule = gauss_lobatto(static_cast<int>(mesh_.order) + 1);
+  const std::vector<double> leading = mesh_.antiderivative();
+  const double h = mesh_.length / static_cast<double>(mesh_.elements);
+  const Vec2 start = flexure_.axis.position(0.0);
+  std::vector<MassPoint> sections;
+  Vec2 sum;
+  for (std::size_t e = 0; e < mesh_.elements; ++e) {
+    const std::size_t first = e * mesh_.order;
+    for (std::size_t a = 0; a <= mesh_.order; ++a) {
+      const double s = std::min(mesh_.length, h * (static_cast<double>(e) + mesh_.node_place(a)));
+      const double weight = 0.5 * h * rule.weights[a];
+      AngleChain::Place place{e, {}, first, flexure_.axis.position(s) - start - sum};
+      for (std::size_t k = 0; k < mesh_.order; ++k) {
+        place.parts.push_back(leading[a * mesh_.order + k]);
+        place.offset = place.offset - place.parts.back() * mesh_.points[first + k].tangent;
+      }
+      chain.places.push_back(std::move(place));
+      chain.points.push_back({s, weight * inertia_.at(s).mass, false, 0, chain.unknowns,
+                              weight * flexure_.field.per_length});
+      sections.push_back({s, weight * inertia_.at(s).rotary, true, 0, chain.unknowns, {}});
+    }
+    for (std::size_t k = 0; k < mesh_.order; ++k)
+      sum = sum + chain.arms[first + k].weight * mesh_.points[first + k].tangent;
+  }
+  if (!inertia_.rotary) return;
+  chain.points.insert(chain.points.end(), sections.begin(), sections.end());
+  add_node_arms(chain);
+}
+
+/// Sections at nodes are arms without length, whose shear is that of the element's Gauss points.
+void ForceBeamMotionPort::add_node_arms(AngleChain& chain) const {
+  const std::size_t n = rotations();
+  const std::vector<double> nodes = gauss_lobatto(static_cast<int>(mesh_.order) + 1).nodes;
+  const std::vector<double>& places = gauss_legendre(static_cast<int>(mesh_.order)).nodes;
+  for (std::size_t e = 0; e < mesh_.elements; ++e)
+    for (std::size_t a = 0; a <= mesh_.order; ++a) {
+      const std::size_t node = e * mesh_.order + a;
+      const double s = mesh_.length * (static_cast<double>(e) + mesh_.node_place(a)) /
+                       static_cast<double>(mesh_.elements);
+      chain.directions.push_back({chain.arms.size(), !inertia_.shear_rotary});
+      chain.arms.push_back({0.0, flexure_.axis.tangent_angle(std::min(s, mesh_.length)), 1.0, s});
+      chain.turns.values.resize(chain.arms.size() * n, 0.0);
+      if (node > 0) chain.turns.values[(chain.arms.size() - 1) * n + node - 1] = 1.0;
+      for (AngleChain::Rows* rows : {&chain.axial, &chain.shear}) {
+        if (rows->count == 0) continue;
+        rows->values.resize(chain.arms.size() * rows->count, 0.0);
+        double* row = rows->values.data() + (chain.arms.size() - 1) * rows->count;
+        for (std::size_t g = 0; g < mesh_.order; ++g) {
+          const std::size_t own = e * mesh_.order + g;
+          row[own] = rows->values[own * rows->count + own];
+          for (std::size_t k = 0; k < mesh_.order; ++k)
+            if (k != g) row[own] *= (nodes[a] - places[k]) / (places[g] - places[k]);
+        }
+      }
+    }
 }
 
 std::vector<double> ForceBeamMotionPort::adopt(std::span<const SectionState> sections,

@@ -34,7 +34,8 @@ class LagrangeMotionPort final : public MotionPort {
   std::size_t internal_size() const override { return still_.internal_size(); }
   BandLayout layout() const override { return band_layout(internal_size(), still_.width()); }
   const std::vector<MassPoint>& points() const override { return points_; }
-  std::size_t scratch_size() const override { return internal_size() * (still_.width() + 1); }
+  /// The energy's second derivatives, and what the axis' derivative measures at every point.
+  std::size_t scratch_size() const override { return tangent_size() + shapes_.size(); }
   Answer evaluate(const Eigen::Vector3d& load, const double* y, const double* v, const double* a,
                   MemberWork& work) const override;
   void add_forces(const Vec2* forces, MemberWork& work, double* residual) const override;
@@ -62,9 +63,15 @@ class LagrangeMotionPort final : public MotionPort {
     Vec2 drawn;          // place, or direction
     double angle = 0.0;  // of a direction that turns with the section
     bool turns = false;
+    bool along_axis = false;
   };
 
   const BeamMesh& mesh() const { return still_.mesh(); }
+  std::size_t tangent_size() const { return internal_size() * (still_.width() + 1); }
+  /// Of a direction along the axis: derivatives of its angle by the axis' derivative.
+  static Vec2 angle_slope(Vec2 here, double size) { return (1.0 / size) * perp(here); }
+  void linearize_axis(const Shape& shape, Vec2 here, double size, Vec2 weight,
+                      double* tangent) const;
   BeamSettings finer() const { return {2 * settings_.elements, settings_.order, {}}; }
   void add_nodes();
   void add_gauss_points();
@@ -125,9 +132,10 @@ void LagrangeMotionPort<Density>::add_points(std::size_t element, double x, doub
   const double angle = flexure_.axis.tangent_angle(s);
   add(section.rotary, true, unit(angle), angle, {});
   if (inertia_.shear_rotary) return;
-  // along the axis: its derivative, whose length hardly differs from one
+  // along the axis: its derivative, but for the length, which no section turns by
   Shape& shape = shapes_.back();
   shape.turns = false;
+  shape.along_axis = true;
   shape.values = mesh().slope_at(x);
   shape.first_node = element * mesh().order;
   if (shape.first_node == 0)
@@ -175,6 +183,17 @@ MotionPort::Answer LagrangeMotionPort<Density>::evaluate(const Eigen::Vector3d& 
       work.places[g] = here;
       work.rates[g] = spin * perp(here);
       work.seconds[g] = turned(a) * perp(here) - spin * spin * here;
+    } else if (shape.along_axis) {
+      const Vec2 along = shape.drawn + moved(y);
+      const double size = norm(along);
+      const Vec2 here = (1.0 / size) * along;
+      const Vec2 by = angle_slope(here, size);
+      const double spin = dot(by, moved(v));
+      const double longer = dot(here, moved(v)) / size;
+      work.scratch[tangent_size() + g] = size;
+      work.places[g] = here;
+      work.rates[g] = spin * perp(here);
+      work.seconds[g] = (dot(by, moved(a)) - 2.0 * spin * longer) * perp(here) - spin * spin * here;
     } else {
       work.places[g] = shape.drawn + moved(y);
       work.rates[g] = moved(v);
@@ -190,13 +209,16 @@ void LagrangeMotionPort<Density>::add_forces(const Vec2* forces, MemberWork& wor
   for (std::size_t g = 0; g < shapes_.size(); ++g) {
     const Shape& shape = shapes_[g];
     double* node = residual + 3 * shape.first_node;
-    const double torque = shape.turns ? cross(work.places[g], forces[g]) : 0.0;
+    const double torque = cross(work.places[g], forces[g]);
+    const Vec2 force = shape.along_axis
+                           ? torque * angle_slope(work.places[g], work.scratch[tangent_size() + g])
+                           : forces[g];
     for (const double value : shape.values) {
       if (shape.turns) {
         node[2] += value * torque;
       } else {
-        node[0] += mesh().length * value * forces[g].x;
-        node[1] += mesh().length * value * forces[g].y;
+        node[0] += mesh().length * value * force.x;
+        node[1] += mesh().length * value * force.y;
       }
       node += 3;
     }
@@ -206,17 +228,22 @@ void LagrangeMotionPort<Density>::add_forces(const Vec2* forces, MemberWork& wor
 template <class Density>
 void LagrangeMotionPort<Density>::linearize(const Eigen::Vector3d& /*load*/, const double* /*y*/,
                                             const Vec2* weights, MemberWork& work) const {
-  std::copy(work.scratch.begin(), work.scratch.end(), work.tangent.begin());
+  std::copy_n(work.scratch.begin(), tangent_size(), work.tangent.begin());
   const BandLayout rows = layout();
   Vec2* slope = work.slopes.data();
   for (std::size_t g = 0; g < shapes_.size(); ++g) {
     const Shape& shape = shapes_[g];
+    const Vec2 across = perp(work.places[g]);
+    const double size = work.scratch[tangent_size() + g];
+    const Vec2 by = shape.along_axis ? angle_slope(work.places[g], size) : Vec2{};
     for (const double value : shape.values) {
       const double along = shape.turns ? 0.0 : mesh().length * value;
-      *slope++ = {along, 0.0};
-      *slope++ = {0.0, along};
-      *slope++ = shape.turns ? value * perp(work.places[g]) : Vec2{};
+      *slope++ = shape.along_axis ? along * by.x * across : Vec2{along, 0.0};
+      *slope++ = shape.along_axis ? along * by.y * across : Vec2{0.0, along};
+      *slope++ = shape.turns ? value * across : Vec2{};
     }
+    if (shape.along_axis && weights)
+      linearize_axis(shape, work.places[g], size, weights[g], work.tangent.data());
     if (!shape.turns || !weights) continue;
     const double factor = -dot(weights[g], work.places[g]);
     for (std::size_t a = 0; a < shape.values.size(); ++a) {
@@ -226,6 +253,30 @@ void LagrangeMotionPort<Density>::linearize(const Eigen::Vector3d& /*load*/, con
             factor * shape.values[a] * shape.values[b];
     }
   }
+}
+
+/// weight . (second derivatives of the direction): the angle of a vector d has those of the
+/// imaginary part of log d, -Im(1/d^2).
+template <class Density>
+void LagrangeMotionPort<Density>::linearize_axis(const Shape& shape, Vec2 here, double size,
+                                                 Vec2 weight, double* tangent) const {
+  const BandLayout rows = layout();
+  const Vec2 by = angle_slope(here, size);
+  const double torque = cross(here, weight) / (size * size);
+  const double pull = -dot(here, weight);
+  const double twice = 2.0 * here.x * here.y, cosine = here.x * here.x - here.y * here.y;
+  const double second[2][2] = {
+      {torque * twice + pull * by.x * by.x, -torque * cosine + pull * by.x * by.y},
+      {-torque * cosine + pull * by.x * by.y, -torque * twice + pull * by.y * by.y}};
+  for (std::size_t a = 0; a < shape.values.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      const double share = mesh().length * mesh().length * shape.values[a] * shape.values[b];
+      for (std::size_t i = 0; i < 2; ++i) {
+        double* row = rows.row(tangent, 3 * (shape.first_node + a) + i);
+        for (std::size_t j = 0; j < (a == b ? i + 1 : 2); ++j)
+          row[3 * (shape.first_node + b) + j] += share * second[i][j];
+      }
+    }
 }
 
 /// Forces at the Gauss points are superconvergent; stations take them from straight lines between

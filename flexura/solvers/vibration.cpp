@@ -1,11 +1,12 @@
 #include "flexura/solvers/vibration.hpp"
 
-#include <Spectra/SymGEigsShiftSolver.h>
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include "flexura/solvers/block_lanczos.hpp"
 
 namespace flexura {
 namespace {
@@ -68,8 +69,8 @@ void normalize(Vibrations& modes, const Eigen::VectorXd& squared_sizes) {
     modes.shapes.col(i) /= std::sqrt(squared_sizes[i]);
 }
 
-/// Takes out what rounding has left in a shape of those before it: zero frequencies answer the
-/// least load without bound.
+/// Takes out what rounding has left in a shape of those before it: low frequencies answer the
+/// least load by much, zero ones without bound.
 void part_from_lower(Vibrations& modes, const Eigen::MatrixXd& mass) {
   for (Eigen::Index k = 1; k < modes.shapes.cols(); ++k) {
     const Eigen::VectorXd momentum = mass * modes.shapes.col(k);
@@ -77,29 +78,6 @@ void part_from_lower(Vibrations& modes, const Eigen::MatrixXd& mass) {
     modes.shapes.col(k) -= modes.shapes.leftCols(k) * shares;
   }
 }
-
-/// Spectra's view of the operator.
-struct ShiftedSolve {
-  using Scalar = double;
-  VibrationOperator& op;
-  Eigen::Index rows() const { return op.size(); }
-  Eigen::Index cols() const { return op.size(); }
-  void set_shift(double) {}  // done before
-  void perform_op(const double* in, double* out) const {
-    Eigen::Map<Eigen::VectorXd>(out, op.size()) =
-        op.solve(Eigen::Map<const Eigen::VectorXd>(in, op.size()));
-  }
-};
-struct MassProduct {
-  using Scalar = double;
-  VibrationOperator& op;
-  Eigen::Index rows() const { return op.size(); }
-  Eigen::Index cols() const { return op.size(); }
-  void perform_op(const double* in, double* out) const {
-    Eigen::Map<Eigen::VectorXd>(out, op.size()) =
-        op.multiply_mass(Eigen::Map<const Eigen::VectorXd>(in, op.size()));
-  }
-};
 
 /// Eigenvectors of B A^-1 B^T with their eigenvalues 1/(square + shift).
 struct Inverse {
@@ -167,50 +145,162 @@ Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::Matri
     modes.shapes.col(k) = inverse.moved * inverse.eigen.eigenvectors().col(i);
   }
   normalize(modes, (modes.shapes.transpose() * mass * modes.shapes).diagonal());
-  if (shift > 0.0) part_from_lower(modes, mass);
+  part_from_lower(modes, mass);
   modes.found = true;
   return modes;
 }
 
-Vibrations sparse_vibrations(VibrationOperator& op, int count, double shift_unit) {
-  using Solver =
-      Spectra::SymGEigsShiftSolver<ShiftedSolve, MassProduct, Spectra::GEigsMode::ShiftInvert>;
-  Vibrations modes;
-  double shift = 0.0;
-  const int wanted = static_cast<int>(std::min<Eigen::Index>(count, op.size() - 1));
-  const int vectors = static_cast<int>(std::min<Eigen::Index>(op.size(), 2 * wanted + 20));
-  for (int attempt = 0; attempt < 8; ++attempt) {
-    if (!op.set_shift(shift)) {
-      shift = std::max(10.0 * shift, shift_unit);
-      continue;
+namespace {
+
+/// The sparse solver at work: frequencies from the bottom of the spectrum, at shifts with which
+/// K + shift M is definite, so that nothing hides below.
+class SparseSolver {
+ public:
+  SparseSolver(VibrationOperator& op, int count)
+      : op_(op), count_(std::min<Eigen::Index>(count, op.size())) {}
+
+  Vibrations run();
+
+ private:
+  bool find_shift();
+  bool grow_until_definite();
+  bool solve();
+  std::optional<double> better_shift() const;
+  int missed(const BlockLanczos& lanczos) const;
+  std::optional<int> below(double square) const;
+
+  VibrationOperator& op_;
+  Eigen::Index count_;
+  double shift_ = 1.0;
+  Eigen::VectorXd values_;  // 1/(square + shift), descending
+  Eigen::MatrixXd shapes_;
+};
+
+/// How many squares lie below; at a square itself, a little beside it.
+std::optional<int> SparseSolver::below(double square) const {
+  for (const double by : {1.0, 1.0 + 1e-9, 1.0 + 1e-7})
+    if (const auto count = op_.count_below(square * by)) return count;
+  return std::nullopt;
+}
+
+/// Near the square of the first frequency that is not zero and not among those wanted, within a
+/// factor of ten: of the size of what is asked for, in whatever units. Where masses are fewer, near
+/// the highest.
+bool SparseSolver::find_shift() {
+  constexpr int most = 60;   // powers of ten
+  constexpr int quiet = 12;  // without one more: there are no more
+  const int wanted = static_cast<int>(std::max(count_, op_.most_rigid())) + 1;
+  const auto count = [&](int power) { return below(std::pow(10.0, power)).value_or(0); };
+  int power = 0;
+  int found = count(0);
+  for (int higher = 1; higher < most && found < wanted; ++higher) {
+    const int now = count(higher);
+    if (now > found) {
+      found = now;
+      power = higher;
+    } else if (found > 0 && higher - power > quiet) {
+      break;
     }
-    ShiftedSolve solve{op};
-    MassProduct product{op};
-    Solver solver(solve, product, wanted, vectors, -shift);
-    // what has no mass is no part of the start
-    const Eigen::VectorXd start = op.solve(Eigen::VectorXd::LinSpaced(op.size(), 1.0, 1.7));
-    solver.init(start.data());
-    const auto converged = solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12,
-                                          Spectra::SortRule::SmallestAlge);
-    if (solver.info() != Spectra::CompInfo::Successful || converged < wanted) return modes;
-    const Eigen::VectorXd squares = solver.eigenvalues();
-    if (squares.minCoeff() < -shift) {  // beyond the shift: others may be hidden behind it
-      shift = 2.0 * std::abs(squares.minCoeff());
-      continue;
-    }
-    modes.squares = squares;
-    modes.shapes = solver.eigenvectors();
-    Eigen::VectorXd sizes(wanted);
-    for (Eigen::Index i = 0; i < wanted; ++i) {
-      // once more through the operator: drops what the mass does not see
-      modes.shapes.col(i) = op.solve(op.multiply_mass(modes.shapes.col(i)));
-      sizes[i] = modes.shapes.col(i).dot(op.multiply_mass(modes.shapes.col(i)));
-    }
-    normalize(modes, sizes);
-    modes.found = true;
-    return modes;
   }
+  if (found == 0) return false;
+  const int enough = std::min(found, wanted);
+  while (power > -most && count(power - 1) >= enough) --power;
+  shift_ = std::pow(10.0, power);
+  return grow_until_definite();
+}
+
+bool SparseSolver::grow_until_definite() {
+  for (int attempt = 0; attempt < 60; ++attempt, shift_ *= 10.0)
+    if (below(-shift_) == 0 && op_.set_shift(shift_)) return true;
+  return false;
+}
+
+/// Modes that an inertia counts below the highest, and that were not found.
+int SparseSolver::missed(const BlockLanczos& lanczos) const {
+  const Eigen::VectorXd& values = lanczos.values();
+  double edge = 1.0 / values[count_ - 1];  // of square + shift
+  for (double gap = 1e-6; gap < 0.5; gap *= 2.0) {
+    edge = (1.0 - gap) / values[count_ - 1];
+    const auto is_near = [&](double value) { return std::abs(value * edge - 1.0) < 0.1 * gap; };
+    if (std::none_of(values.begin(), values.begin() + count_, is_near)) break;
+  }
+  const auto all = below(edge - shift_);
+  const auto found = std::count_if(values.begin(), values.begin() + count_,
+                                   [&](double value) { return value * edge > 1.0; });
+  return all ? *all - static_cast<int>(found) : 0;
+}
+
+bool SparseSolver::solve() {
+  constexpr int most_attempts = 5;
+  const auto inverse = [&](const Eigen::VectorXd& b) { return op_.solve(b); };
+  const auto mass = [&](const Eigen::VectorXd& x) { return op_.multiply_mass(x); };
+  BlockLanczos lanczos({op_.size(), inverse, mass});
+  Eigen::Index count = 0;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    if (!op_.set_shift(shift_) || !lanczos.settle(count_)) return false;
+    // what an exhausted space has besides is rounding, or held by the constraints
+    const Eigen::VectorXd& values = lanczos.values();
+    const auto is_real = [&](double value) { return value > 1e-13 * values[0]; };
+    count = std::min<Eigen::Index>(count_, std::count_if(values.begin(), values.end(), is_real));
+    if (count == 0) return false;
+    if (count < count_ || missed(lanczos) <= 0) {
+      values_ = values.head(count);
+      shapes_ = lanczos.vectors(count);
+      return true;
+    }
+    lanczos.widen();
+  }
+  return false;
+}
+
+/// A shift far above the lowest squares costs their digits: the lowest that is none of rounding.
+std::optional<double> SparseSolver::better_shift() const {
+  constexpr double rounding = 1e-7, far = 1e-3;  // of the shift
+  double least = INFINITY, negative = 0.0;
+  for (const double value : values_) {
+    const double square = 1.0 / value - shift_;
+    if (std::abs(square) > rounding * shift_) least = std::min(least, std::abs(square));
+    negative = std::max(negative, -square);
+  }
+  if (std::isinf(least)) return rounding * shift_;  // all are, or the shift was too large by far
+  const double better = std::max(least, 2.0 * negative);
+  return better < far * shift_ ? std::optional(better) : std::nullopt;
+}
+
+Vibrations SparseSolver::run() {
+  constexpr double nothing = 1e-9;
+  Vibrations modes;
+  if (count_ == 0 || !find_shift() || !solve()) return modes;
+  for (int descent = 0; descent < 3; ++descent) {
+    const auto better = better_shift();
+    if (!better) break;
+    const SparseSolver before = *this;
+    shift_ = *better;
+    if (grow_until_definite() && shift_ < before.shift_ && solve()) continue;
+    shift_ = before.shift_;
+    values_ = before.values_;
+    shapes_ = before.shapes_;
+    break;
+  }
+  const Eigen::VectorXd squares = values_.cwiseInverse().array() - shift_;
+  modes.squares = (squares.array().abs() < nothing * shift_).select(0.0, squares);
+  modes.shapes = shapes_;
+  if (!op_.set_shift(shift_)) return modes;
+  Eigen::VectorXd sizes(shapes_.cols());
+  for (Eigen::Index i = 0; i < shapes_.cols(); ++i) {
+    // once more through the operator: drops what the mass does not see
+    modes.shapes.col(i) = op_.solve(op_.multiply_mass(shapes_.col(i)));
+    sizes[i] = modes.shapes.col(i).dot(op_.multiply_mass(modes.shapes.col(i)));
+  }
+  normalize(modes, sizes);
+  modes.found = modes.shapes.allFinite();
   return modes;
+}
+
+}  // namespace
+
+Vibrations sparse_vibrations(VibrationOperator& op, int count) {
+  return SparseSolver(op, count).run();
 }
 
 }  // namespace flexura

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 
 namespace flexura {
 
@@ -22,13 +23,19 @@ class VibrationOperator {
  public:
   virtual ~VibrationOperator() = default;
   virtual Eigen::Index size() const = 0;
+  /// At most so many frequencies are zero.
+  virtual Eigen::Index most_rigid() const = 0;
   virtual bool set_shift(double shift) = 0;
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
   virtual Eigen::VectorXd multiply_mass(const Eigen::VectorXd& x) const = 0;
+  /// How many squares are less than the given one, by the inertia of K - square M (Sylvester); none
+  /// where that is singular. What `set_shift` did stays.
+  virtual std::optional<int> count_below(double square) const = 0;
 };
 
-/// The same by Lanczos' method, which needs no matrix. `shift_unit`: a first guess of the squared
-/// frequency that a shift has to have where the mechanism is not stable by itself.
-Vibrations sparse_vibrations(VibrationOperator& op, int count, double shift_unit);
+/// The same by Lanczos' method, which needs no matrix, at shifts that make K + shift M positive
+/// definite: rigid motions and unstable ones come out like all others. That none was missed is
+/// counted.
+Vibrations sparse_vibrations(VibrationOperator& op, int count);
 
 }  // namespace flexura

@@ -20,6 +20,7 @@ class MotionOperator final : public VibrationOperator {
  public:
   explicit MotionOperator(const MotionSystem& system) : system_(system) {}
   Eigen::Index size() const override { return system_.coordinates(); }
+  Eigen::Index most_rigid() const override { return system_.moving(); }
   bool set_shift(double shift) override { return system_.factorize(shift, 0.0, factor_); }
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const override {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(system_.size());
@@ -30,21 +31,16 @@ class MotionOperator final : public VibrationOperator {
   Eigen::VectorXd multiply_mass(const Eigen::VectorXd& x) const override {
     return system_.multiply_mass(x);
   }
+  std::optional<int> count_below(double square) const override {
+    MotionFactor<double> factor;
+    if (!system_.factorize(-square, 0.0, factor)) return std::nullopt;
+    return system_.negative(factor);
+  }
 
  private:
   const MotionSystem& system_;
   MotionFactor<double> factor_;
 };
-
-/// A squared frequency of the size that the mechanism's own have: of its softest shape under a load
-/// on all mass.
-double typical_square(const MotionSystem& system, const MotionOperator& op) {
-  const Eigen::VectorXd load =
-      system.multiply_mass(Eigen::VectorXd::LinSpaced(system.coordinates(), 1.0, 1.7));
-  const Eigen::VectorXd x = op.solve(load);
-  const double square = std::abs(x.dot(load) / x.dot(system.multiply_mass(x)));
-  return std::isfinite(square) && square > 0.0 ? square : 1.0;
-}
 
 class Modes {
  public:
@@ -163,8 +159,7 @@ Vibrations find_vibrations(MotionSystem& system, const Moment& moment, int count
                             stiffness.bottomLeftCorner(system.multipliers(), n), count);
   }
   MotionOperator op(system);
-  const double typical = op.set_shift(0.0) ? typical_square(system, op) : 1.0;
-  return sparse_vibrations(op, count, 1e-3 * typical);
+  return sparse_vibrations(op, count);
 }
 
 std::vector<double> signed_frequencies(const Vibrations& vibrations) {

@@ -6,74 +6,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "flexura/studies/modes_study.hpp"
+#include "flexura/studies/harmonic_motion.hpp"
 #include "flexura/studies/motion_start.hpp"
 
 namespace flexura {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// Mode by mode damping counts modes up to this number.
-constexpr int most_damped_modes = 200;
-
-/// Amplitudes of coordinates about a state: solutions of
-///     (K + i w C - w^2 M) u = f,
-/// modal damping as a matrix of low rank.
-class HarmonicMotion {
- public:
-  HarmonicMotion(MotionSystem& system, const Moment& moment, const DampingSettings& damping);
-
-  Eigen::VectorXcd solve(const Eigen::VectorXd& load, double w);
-
- private:
-  MotionSystem& system_;
-  Eigen::MatrixXd momenta_;  // M shape of every damped mode
-  Eigen::VectorXd losses_;   // 2 share w of it
-  MotionFactor<Complex> factor_;
-};
-
-HarmonicMotion::HarmonicMotion(MotionSystem& system, const Moment& moment,
-                               const DampingSettings& damping)
-    : system_(system) {
-  if (damping.modal > 0.0) {
-    const int count =
-        static_cast<int>(std::min<Eigen::Index>(system.coordinates(), most_damped_modes));
-    const Vibrations modes = find_vibrations(system, moment, count, ModesStudy::Solver::automatic);
-    momenta_.resize(system.coordinates(), modes.squares.size());
-    losses_.setZero(modes.squares.size());
-    for (Eigen::Index i = 0; i < modes.squares.size(); ++i) {
-      momenta_.col(i) = system.multiply_mass(modes.shapes.col(i));
-      losses_[i] = 2.0 * damping.modal * std::sqrt(std::max(0.0, modes.squares[i]));
-    }
-  }
-  Eigen::VectorXd r;
-  system_.residual(moment, r);
-  system_.linearize(moment);
-}
-
-/// Woodbury: with A the undamped matrix and U the momenta, A u + i w U D U^T u = f.
-Eigen::VectorXcd HarmonicMotion::solve(const Eigen::VectorXd& load, double w) {
-  const Eigen::Index n = system_.coordinates();
-  if (!system_.factorize(Complex(-w * w, 0.0), Complex(0.0, w), factor_)) return {};
-  const auto apply = [&](const Eigen::VectorXcd& rhs) {
-    Eigen::VectorXcd b = Eigen::VectorXcd::Zero(system_.size());
-    b.head(n) = rhs;
-    system_.solve(factor_, b);
-    return Eigen::VectorXcd(b.head(n));
-  };
-  Eigen::VectorXcd u = apply(load.cast<Complex>());
-  if (losses_.size() == 0) return u;
-  Eigen::MatrixXcd moved(n, losses_.size());
-  for (Eigen::Index i = 0; i < losses_.size(); ++i)
-    moved.col(i) = apply(momenta_.col(i).cast<Complex>());
-  Eigen::MatrixXcd small = momenta_.transpose().cast<Complex>() * moved;
-  for (Eigen::Index i = 0; i < losses_.size(); ++i) small.row(i) *= Complex(0.0, w) * losses_[i];
-  small += Eigen::MatrixXcd::Identity(losses_.size(), losses_.size());
-  Eigen::VectorXcd forces = momenta_.transpose().cast<Complex>() * u;
-  for (Eigen::Index i = 0; i < losses_.size(); ++i) forces[i] *= Complex(0.0, w) * losses_[i];
-  return u - moved * small.partialPivLu().solve(forces);
-}
 
 /// Rows of the response: displacements of bodies and points by the coordinates.
 Eigen::MatrixXd place_rows(const Model& model, const MotionSystem& system, const Moment& moment) {
@@ -151,7 +90,7 @@ class Response {
 
 std::vector<ResponseState> Response::sweep(MotionSystem& system, const Moment& moment, double from,
                                            double to) {
-  HarmonicMotion harmonic(system, moment, study_.damping);
+  HarmonicMotion harmonic(system, moment, study_.damping.modal);
   const Eigen::MatrixXd rows = place_rows(model_, system, moment);
   const Eigen::VectorXd load = load_vector(model_, system, moment, study_.loads);
   const std::vector<double> frequencies = frequencies_of(study_);
@@ -207,6 +146,7 @@ ModelingResponse Response::run() {
   MotionStart start = start_about(model_, study_.about, settings_, study_.inertia);
   response_.termination = start.termination;
   if (!start.termination.converged()) return std::move(response_);
+  start.system->set_rayleigh_damping(study_.damping.mass, study_.damping.stiffness);
   response_.states = sweep(*start.system, start.moment, 0.0, 0.4);
   for (int refinements = 0; response_.termination.converged(); ++refinements) {
     auto finer = start.system->refined();

@@ -9,19 +9,40 @@
 namespace flexura::testing {
 namespace {
 
-std::vector<SuiteEntry> moving_entries() {
-  std::vector<SuiteEntry> entries = suite_entries();
-  std::erase_if(entries, [](const SuiteEntry& entry) { return entry.name == "printed"; });
+/// With the places where inertia can be besides the usual ones.
+struct MovingEntry : SuiteEntry {
+  InertiaSettings inertia;
+};
+
+std::vector<MovingEntry> moving_entries() {
+  std::vector<MovingEntry> entries;
+  const auto add = [&](SuiteEntry entry, const std::string& suffix, bool shear, bool lumped) {
+    entry.name += suffix;
+    entries.push_back({std::move(entry), {true, true, shear, lumped}});
+  };
+  std::vector<SuiteEntry> suite = suite_entries();
+  SuiteEntry stiff{"beam_order_3_unstretchable", beam(6, 3)};
+  stiff.settings.axial = false;
+  suite.push_back(stiff);
+  for (const SuiteEntry& entry : suite) {
+    if (entry.name == "printed") continue;
+    add(entry, "", true, false);
+    const bool is_beam = std::holds_alternative<BeamSettings>(entry.settings.kind);
+    if (is_beam) add(entry, "_lumped", true, true);
+    if (!entry.settings.shear) continue;
+    if (is_beam || entry.name == "exact") add(entry, "_rayleigh", false, false);
+    if (is_beam) add(entry, "_lumped_rayleigh", false, true);
+  }
   return entries;
 }
 
 constexpr double density = 2.0;
 
-class MotionPortProperties : public ::testing::TestWithParam<SuiteEntry> {
+class MotionPortProperties : public ::testing::TestWithParam<MovingEntry> {
  protected:
   MotionPortProperties() {
     chain_.materials.front().density = density;
-    inertia_.rotary = true;
+    inertia_ = GetParam().inertia;
     layout_ = make_motion_layout(chain_, {}, GetParam().settings, inertia_);
     work_ = sized_work(port());
     still_ = make_layout(chain_, {}, GetParam().settings);
@@ -79,7 +100,7 @@ class MotionPortProperties : public ::testing::TestWithParam<SuiteEntry> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Suite, MotionPortProperties, ::testing::ValuesIn(moving_entries()),
-                         suite_name);
+                         [](const auto& test) { return test.param.name; });
 
 TEST_P(MotionPortProperties, RestsAsDrawn) {
   const std::vector<double> rest(size(), 0.0);
@@ -155,8 +176,9 @@ TEST_P(MotionPortProperties, RatesAndSlopesAreThoseOfThePlaces) {
     evaluate(moved(moved(y, v, t), a, 0.5 * t * t), work);
     return work.places;
   };
-  const double h = 1e-3;
+  const double h = 4e-4;
   const auto before = places(-h), here = places(0.0), after = places(h);
+  const auto long_before = places(-2.0 * h), long_after = places(2.0 * h);
   port().evaluate(some_load(), y.data(), v.data(), a.data(), work_);
   port().linearize(some_load(), y.data(), nullptr, work_);
   const Vec2* slope = work_.slopes.data();
@@ -166,8 +188,10 @@ TEST_P(MotionPortProperties, RatesAndSlopesAreThoseOfThePlaces) {
     for (std::size_t j = 0; j < point.count; ++j, ++slope)
       rate = rate + v[point.first + j] * *slope;
     EXPECT_LT(norm(rate - work_.rates[g]), 1e-12) << g;
-    EXPECT_LT(norm(rate - (0.5 / h) * (after[g] - before[g])), 1e-6) << g;
-    const Vec2 second = (1.0 / (h * h)) * (after[g] - 2.0 * here[g] + before[g]);
+    const Vec2 near = after[g] - before[g], far = long_after[g] - long_before[g];
+    EXPECT_LT(norm(rate - (1.0 / (12.0 * h)) * (8.0 * near - far)), 1e-7) << g;
+    const Vec2 second = (1.0 / (12.0 * h * h)) * (16.0 * (after[g] + before[g]) - 30.0 * here[g] -
+                                                  long_after[g] - long_before[g]);
     EXPECT_LT(norm(second - work_.seconds[g]), 1e-6 * (1.0 + norm(second))) << g;
   }
 }

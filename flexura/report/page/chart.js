@@ -16,7 +16,7 @@ class Chart {
     this.frame = figure.append('div').attr('class', 'chart-frame');
     this.svg = this.frame.append('svg').attr('role', 'img').attr('aria-label', options.title);
     this.tip = this.frame.append('div').attr('class', 'chart-tip').attr('hidden', true);
-    this.margin = { left: 58, right: 12, top: 8, bottom: 34 };
+    this.margin = { left: 58, right: 18, top: 8, bottom: 34 };
     this.connectPointer();
     new ResizeObserver(() => this.draw()).observe(this.frame.node());
   }
