@@ -9,6 +9,7 @@ namespace {
 constexpr Eigen::Index block = 4;
 constexpr double least_residual = 1e-13;  // of the largest value: what solving leaves
 constexpr double residual = 1e-9;         // of the value, whose error is of second order
+constexpr double enough = 1e-6;           // where a space grows beyond what is usual
 
 }  // namespace
 
@@ -91,12 +92,13 @@ void BlockLanczos::project() {
 bool BlockLanczos::has_settled(Eigen::Index count) const {
   if (exhausted_) return true;
   if (values_.size() < count + block) return false;
+  const double share = images_ > 4 * count + 200 ? enough : residual;
   for (Eigen::Index i = count; i-- > 0;) {
     const Eigen::VectorXd x = basis_.leftCols(images_) * shapes_.col(i);
     const Eigen::VectorXd momentum = momenta_.leftCols(images_) * shapes_.col(i);
     const Eigen::VectorXd rest = pencil_.inverse(momentum) - values_[i] * x;
     const double size = std::sqrt(std::max(0.0, rest.dot(pencil_.multiply_mass(rest))));
-    if (size > least_residual * values_[0] + residual * std::abs(values_[i])) return false;
+    if (size > least_residual * values_[0] + share * std::abs(values_[i])) return false;
   }
   return true;
 }

@@ -71,9 +71,10 @@ void normalize(Vibrations& modes, const Eigen::VectorXd& squared_sizes) {
 
 /// Takes out what rounding has left in a shape of those before it: low frequencies answer the
 /// least load by much, zero ones without bound.
-void part_from_lower(Vibrations& modes, const Eigen::MatrixXd& mass) {
+template <class MassProduct>
+void part_from_lower(Vibrations& modes, const MassProduct& multiply_mass) {
   for (Eigen::Index k = 1; k < modes.shapes.cols(); ++k) {
-    const Eigen::VectorXd momentum = mass * modes.shapes.col(k);
+    const Eigen::VectorXd momentum = multiply_mass(modes.shapes.col(k));
     const Eigen::VectorXd shares = modes.shapes.leftCols(k).transpose() * momentum;
     modes.shapes.col(k) -= modes.shapes.leftCols(k) * shares;
   }
@@ -145,7 +146,7 @@ Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::Matri
     modes.shapes.col(k) = inverse.moved * inverse.eigen.eigenvectors().col(i);
   }
   normalize(modes, (modes.shapes.transpose() * mass * modes.shapes).diagonal());
-  part_from_lower(modes, mass);
+  part_from_lower(modes, [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(mass * x); });
   modes.found = true;
   return modes;
 }
@@ -155,9 +156,13 @@ namespace {
 /// The sparse solver at work: frequencies from the bottom of the spectrum, at shifts with which
 /// K + shift M is definite, so that nothing hides below.
 class SparseSolver {
+  static constexpr double nothing = 1e-9;  // of a shift: zero
+  // of the highest square that is wanted: the shift, with which those between lie well apart
+  static constexpr double part = 0.03;
+
  public:
   SparseSolver(VibrationOperator& op, int count)
-      : op_(op), count_(std::min<Eigen::Index>(count, op.size())) {}
+      : op_(&op), count_(std::min<Eigen::Index>(count, op.size())) {}
 
   Vibrations run();
 
@@ -165,31 +170,36 @@ class SparseSolver {
   bool find_shift();
   bool grow_until_definite();
   bool solve();
-  std::optional<double> better_shift() const;
+  bool descend();
   int missed(const BlockLanczos& lanczos) const;
   std::optional<int> below(double square) const;
 
-  VibrationOperator& op_;
+  VibrationOperator* op_;
   Eigen::Index count_;
   double shift_ = 1.0;
-  Eigen::VectorXd values_;  // 1/(square + shift), descending
+  Eigen::VectorXd squares_;  // ascending
   Eigen::MatrixXd shapes_;
+  struct Part {
+    Eigen::VectorXd squares;
+    Eigen::MatrixXd shapes;
+  };
+  std::vector<Part> above_;  // found at higher shifts, the highest first
 };
 
 /// How many squares lie below; at a square itself, a little beside it.
 std::optional<int> SparseSolver::below(double square) const {
   for (const double by : {1.0, 1.0 + 1e-9, 1.0 + 1e-7})
-    if (const auto count = op_.count_below(square * by)) return count;
+    if (const auto count = op_->count_below(square * by)) return count;
   return std::nullopt;
 }
 
-/// Near the square of the first frequency that is not zero and not among those wanted, within a
-/// factor of ten: of the size of what is asked for, in whatever units. Where masses are fewer, near
+/// By the square of the first frequency that is not zero and not among those wanted, known to a
+/// factor of ten: of the size of what is asked for, in whatever units. Where masses are fewer, by
 /// the highest.
 bool SparseSolver::find_shift() {
   constexpr int most = 60;   // powers of ten
   constexpr int quiet = 12;  // without one more: there are no more
-  const int wanted = static_cast<int>(std::max(count_, op_.most_rigid())) + 1;
+  const int wanted = static_cast<int>(std::max(count_, op_->most_rigid())) + 1;
   const auto count = [&](int power) { return below(std::pow(10.0, power)).value_or(0); };
   int power = 0;
   int found = count(0);
@@ -205,13 +215,13 @@ bool SparseSolver::find_shift() {
   if (found == 0) return false;
   const int enough = std::min(found, wanted);
   while (power > -most && count(power - 1) >= enough) --power;
-  shift_ = std::pow(10.0, power);
+  shift_ = part * std::pow(10.0, power);
   return grow_until_definite();
 }
 
 bool SparseSolver::grow_until_definite() {
   for (int attempt = 0; attempt < 60; ++attempt, shift_ *= 10.0)
-    if (below(-shift_) == 0 && op_.set_shift(shift_)) return true;
+    if (below(-shift_) == 0 && op_->set_shift(shift_)) return true;
   return false;
 }
 
@@ -232,20 +242,25 @@ int SparseSolver::missed(const BlockLanczos& lanczos) const {
 
 bool SparseSolver::solve() {
   constexpr int most_attempts = 5;
-  const auto inverse = [&](const Eigen::VectorXd& b) { return op_.solve(b); };
-  const auto mass = [&](const Eigen::VectorXd& x) { return op_.multiply_mass(x); };
-  BlockLanczos lanczos({op_.size(), inverse, mass});
+  const auto inverse = [&](const Eigen::VectorXd& b) { return op_->solve(b); };
+  const auto mass = [&](const Eigen::VectorXd& x) { return op_->multiply_mass(x); };
+  BlockLanczos lanczos({op_->size(), inverse, mass});
   Eigen::Index count = 0;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    if (!op_.set_shift(shift_) || !lanczos.settle(count_)) return false;
+    if (!op_->set_shift(shift_) || !lanczos.settle(count_)) return false;
     // what an exhausted space has besides is rounding, or held by the constraints
     const Eigen::VectorXd& values = lanczos.values();
     const auto is_real = [&](double value) { return value > 1e-13 * values[0]; };
     count = std::min<Eigen::Index>(count_, std::count_if(values.begin(), values.end(), is_real));
     if (count == 0) return false;
     if (count < count_ || missed(lanczos) <= 0) {
-      values_ = values.head(count);
+      squares_ = values.head(count).cwiseInverse().array() - shift_;
       shapes_ = lanczos.vectors(count);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        // once more through the operator: drops what the mass does not see
+        const Eigen::VectorXd x = op_->solve(op_->multiply_mass(shapes_.col(i)));
+        shapes_.col(i) = x / std::sqrt(x.dot(op_->multiply_mass(x)));
+      }
       return true;
     }
     lanczos.widen();
@@ -253,46 +268,49 @@ bool SparseSolver::solve() {
   return false;
 }
 
-/// A shift far above the lowest squares costs their digits: the lowest that is none of rounding.
-std::optional<double> SparseSolver::better_shift() const {
-  constexpr double rounding = 1e-7, far = 1e-3;  // of the shift
-  double least = INFINITY, negative = 0.0;
-  for (const double value : values_) {
-    const double square = 1.0 / value - shift_;
-    if (std::abs(square) > rounding * shift_) least = std::min(least, std::abs(square));
-    negative = std::max(negative, -square);
+/// A shift far above squares costs their digits: those again, by the largest of them. Of squares
+/// that are nothing at all beside the shift, nothing is known but that a mechanism has them; if all
+/// are, the shift may have been too large by far.
+bool SparseSolver::descend() {
+  constexpr double far = 1e-3;
+  const Eigen::ArrayXd sizes = squares_.array().abs();
+  const Eigen::Index low = (sizes < far * shift_).count();  // among the lowest, as shift_ is above
+  if (low == 0) return false;
+  const double largest = sizes.head(low).maxCoeff();
+  const bool vanish = largest < nothing * shift_;
+  if (vanish && low < squares_.size()) return false;
+  const SparseSolver before = *this;
+  shift_ = vanish ? 1e-6 * shift_ : part * largest;
+  count_ = low;
+  const bool better = grow_until_definite() && shift_ < before.shift_ && solve() &&
+                      squares_.size() == low &&
+                      !(vanish && squares_.cwiseAbs().maxCoeff() < far * shift_);
+  if (!better) {
+    *this = before;
+    return false;
   }
-  if (std::isinf(least)) return rounding * shift_;  // all are, or the shift was too large by far
-  const double better = std::max(least, 2.0 * negative);
-  return better < far * shift_ ? std::optional(better) : std::nullopt;
+  const Eigen::Index high = before.squares_.size() - low;
+  above_.push_back({before.squares_.tail(high), before.shapes_.rightCols(high)});
+  return true;
 }
 
 Vibrations SparseSolver::run() {
-  constexpr double nothing = 1e-9;
   Vibrations modes;
   if (count_ == 0 || !find_shift() || !solve()) return modes;
-  for (int descent = 0; descent < 3; ++descent) {
-    const auto better = better_shift();
-    if (!better) break;
-    const SparseSolver before = *this;
-    shift_ = *better;
-    if (grow_until_definite() && shift_ < before.shift_ && solve()) continue;
-    shift_ = before.shift_;
-    values_ = before.values_;
-    shapes_ = before.shapes_;
-    break;
+  while (descend()) {
   }
-  const Eigen::VectorXd squares = values_.cwiseInverse().array() - shift_;
-  modes.squares = (squares.array().abs() < nothing * shift_).select(0.0, squares);
+  squares_ = (squares_.array().abs() < nothing * shift_).select(0.0, squares_);
+  for (auto higher = above_.rbegin(); higher != above_.rend(); ++higher) {
+    const Eigen::VectorXd squares = squares_;
+    const Eigen::MatrixXd shapes = shapes_;
+    squares_.resize(squares.size() + higher->squares.size());
+    squares_ << squares, higher->squares;
+    shapes_.resize(shapes.rows(), squares_.size());
+    shapes_ << shapes, higher->shapes;
+  }
+  modes.squares = squares_;
   modes.shapes = shapes_;
-  if (!op_.set_shift(shift_)) return modes;
-  Eigen::VectorXd sizes(shapes_.cols());
-  for (Eigen::Index i = 0; i < shapes_.cols(); ++i) {
-    // once more through the operator: drops what the mass does not see
-    modes.shapes.col(i) = op_.solve(op_.multiply_mass(shapes_.col(i)));
-    sizes[i] = modes.shapes.col(i).dot(op_.multiply_mass(modes.shapes.col(i)));
-  }
-  normalize(modes, sizes);
+  part_from_lower(modes, [&](const Eigen::VectorXd& x) { return op_->multiply_mass(x); });
   modes.found = modes.shapes.allFinite();
   return modes;
 }

@@ -104,6 +104,18 @@ TEST(SparseVibrations, AFreeRowHasItsClosedForm) {
   }
 }
 
+/// Many at once: the lowest and the highest of them are 1e-5 of each other.
+TEST(SparseVibrations, ManyKeepTheirDigits) {
+  MatrixOperator op(free_row(600, 1e6), Eigen::VectorXd::Ones(600));
+  const Vibrations modes = sparse_vibrations(op, 150);
+  ASSERT_EQ(modes.squares.size(), 150);
+  EXPECT_EQ(modes.squares[0], 0.0);
+  for (int i = 1; i < 150; ++i)
+    EXPECT_NEAR(modes.squares[i] / free_row_square(i, 600, 1e6), 1.0, 1e-9) << i;
+  const Eigen::MatrixXd products = modes.shapes.transpose() * modes.shapes;
+  EXPECT_LT((products - Eigen::MatrixXd::Identity(150, 150)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 /// Six equal rows side by side: every frequency six times, more than a block of vectors has.
 TEST(SparseVibrations, EqualFrequenciesAreAllFound) {
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(360, 360);
