@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "flexura/geometry/axis_curve.hpp"
 #include "flexura/model/rules.hpp"
 
 namespace flexura {
@@ -168,11 +169,32 @@ struct ModelingRules {
     between("order", continuum.order, 1, 8);
     between("order_across", continuum.order_across, 1, 8);
     for (const Flexure& flexure : model.flexures) {
+      refuse_folds(flexure);
       if (flexure.section < model.sections.size() &&
           std::holds_alternative<CircleSection>(model.sections[flexure.section].shape))
         mistakes.add(path, fmt::format("modeling continuum is for sections of a thickness and a "
                                        "width; '{}' is round",
                                        flexure.name));
+    }
+  }
+
+  /// Where the axis turns within half the thickness, the inner side of the outline runs back.
+  void refuse_folds(const Flexure& flexure) const {
+    constexpr int looks = 200;
+    if (flexure.section >= model.sections.size() || !has_length(flexure.axis)) return;
+    const AxisCurve axis(flexure.axis);
+    for (int k = 0; k <= looks; ++k) {
+      const double s = axis.length() * k / looks;
+      const SectionProperties section =
+          section_properties(model.sections[flexure.section].shape, s, axis.length());
+      const double half = 0.5 * std::sqrt(12.0 * section.second_moment / section.area);
+      if (!(std::abs(axis.curvature(s)) * half >= 1.0)) continue;
+      const Vec2 at = axis.position(s);
+      mistakes.add(path,
+                   fmt::format("the mesh of '{}' folds over: at ({:.4g}, {:.4g}) the axis "
+                               "turns with radius {:.4g}, half the thickness is {:.4g}",
+                               flexure.name, at.x, at.y, 1.0 / std::abs(axis.curvature(s)), half));
+      return;
     }
   }
 };

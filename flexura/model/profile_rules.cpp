@@ -68,13 +68,7 @@ void check_room(const Model& model, const Flexure& flexure, Mistakes& mistakes) 
   double needed = 0.0;
   for (const Profile* profile : varying_profiles(section.shape))
     needed = std::max(needed, length_needed(*profile));
-  const auto* line = std::get_if<LineAxis>(&flexure.axis);
-  const auto* arc = std::get_if<ArcAxis>(&flexure.axis);
-  const auto* spline = std::get_if<SplineAxis>(&flexure.axis);
-  const bool drawable = (line && norm(line->end - line->start) > 0.0) ||
-                        (arc && arc->radius > 0.0 && arc->sweep != 0.0) ||
-                        (spline && spline->points.size() >= 2);
-  if (!(needed > 0.0) || !drawable) return;
+  if (!(needed > 0.0) || !has_length(flexure.axis)) return;
   const double length = AxisCurve(flexure.axis).length();
   if (needed > length * (1.0 + 1e-9))
     mistakes.add(KeyPath{"flexures", flexure.name} / "section",
@@ -83,6 +77,14 @@ void check_room(const Model& model, const Flexure& flexure, Mistakes& mistakes) 
 }
 
 }  // namespace
+
+bool has_length(const AxisShape& axis) {
+  const auto* line = std::get_if<LineAxis>(&axis);
+  const auto* arc = std::get_if<ArcAxis>(&axis);
+  const auto* spline = std::get_if<SplineAxis>(&axis);
+  return (line && norm(line->end - line->start) > 0.0) ||
+         (arc && arc->radius > 0.0 && arc->sweep != 0.0) || (spline && spline->points.size() >= 2);
+}
 
 void check_profiles(const Model& model, Mistakes& mistakes) {
   for (const NamedSection& section : model.sections)

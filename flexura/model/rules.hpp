@@ -39,6 +39,8 @@ void check_entities(const Model& model, Mistakes& mistakes);
 
 /// Profiles of sections, alone and on the flexures that have them.
 void check_profiles(const Model& model, Mistakes& mistakes);
+/// Whether an axis is one, so that a curve can be made of it.
+bool has_length(const AxisShape& axis);
 
 /// Stiffness and ends of springs.
 void check_springs(const Model& model, Mistakes& mistakes);

@@ -245,15 +245,4 @@ StripMesh make_strip_mesh(const StripShape& shape, const ContinuumSettings& sett
   return mesh;
 }
 
-MeshFold sharpest_bend(const StripShape& shape) {
-  constexpr int looks = 200;
-  MeshFold worst;
-  for (int k = 0; k <= looks; ++k) {
-    const double s = shape.axis.length() * k / looks;
-    const double ratio = 1.0 - 0.5 * std::abs(shape.axis.curvature(s)) * shape.thickness(s);
-    if (ratio < worst.ratio) worst = {s, ratio};
-  }
-  return worst;
-}
-
 }  // namespace flexura

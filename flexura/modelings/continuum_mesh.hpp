@@ -96,12 +96,4 @@ struct StripMesh {
 StripMesh make_strip_mesh(const StripShape& shape, const ContinuumSettings& settings,
                           double tolerance);
 
-/// Where the outline bends most sharply for its thickness, and 1 - |curvature| thickness/2 there:
-/// not positive where the mesh folds over.
-struct MeshFold {
-  double s = 0.0;
-  double ratio = 1.0;
-};
-MeshFold sharpest_bend(const StripShape& shape);
-
 }  // namespace flexura

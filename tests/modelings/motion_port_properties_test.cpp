@@ -130,7 +130,7 @@ TEST_P(MotionPortProperties, RestsAsDrawn) {
 TEST_P(MotionPortProperties, GradientIsThatOfThePotential) {
   const std::vector<double> y = some_state();
   evaluate(y, work_);
-  const double step = 1e-4;
+  const double step = is_continuum() ? 1e-5 : 1e-4;  // logarithms bend
   for (std::size_t i = 0; i < size(); ++i) {
     std::vector<double> one(size(), 0.0);
     one[i] = 1.0;
