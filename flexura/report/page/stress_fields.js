@@ -189,6 +189,10 @@ const StressFields = (() => {
         found.modeling, timeline.positions(found.modeling), State.chosen.position);
       showLegend(legend, found ? scaleOf(found.modeling, quantity) : null);
       const context = view.canvas();
+      // Nothing hides the colours: other modelings are lines, and the coloured one is not drawn.
+      view.svg.classed('has-colours', Boolean(state));
+      view.layer('flexures').selectAll('path').style(
+        'visibility', (item) => (state && item.modeling === found.modeling.label ? 'hidden' : null));
       if (!state) {
         const at = 'Of the last state: at the end of the slider.';
         caption.text((quantity && (found ? at : 'Of a modeling that is hidden.')) || '');

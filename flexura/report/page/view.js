@@ -55,11 +55,11 @@ class View {
     this.redraw();
   }
 
-  // A cleared canvas over the drawing, for what has more parts than SVG bears: its context, in
-  // screen coordinates. It lets the pointer through.
+  // A cleared canvas under the drawing, for what has more parts than SVG bears: its context, in
+  // screen coordinates.
   canvas() {
     if (!this.sheet) {
-      this.sheet = d3.select(this.svg.node().parentNode).insert('canvas', '.view-buttons')
+      this.sheet = d3.select(this.svg.node().parentNode).insert('canvas', 'svg')
         .attr('class', 'view-canvas').attr('aria-hidden', 'true').node();
     }
     const density = window.devicePixelRatio || 1;
