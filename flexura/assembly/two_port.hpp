@@ -2,10 +2,12 @@
 
 #include <Eigen/Dense>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "flexura/core/ldlt.hpp"
+#include "flexura/core/stress_field.hpp"
 #include "flexura/core/vec2.hpp"
 
 namespace flexura {
@@ -106,6 +108,12 @@ class TwoPort {
   /// Polyline to draw of the flexure in a state, given its `sections`: by default through them.
   virtual std::vector<Vec2> drawn_axis(std::span<const SectionState> sections,
                                        std::span<const double> internal) const;
+
+  /// Stresses in the plane where the modeling has them, in axes fixed to the base body, places from
+  /// the base end.
+  virtual std::optional<StressField> stress_field(std::span<const double> /*internal*/) const {
+    return std::nullopt;
+  }
 
   /// The same flexure discretized more finely, null where there is nothing to refine.
   virtual std::shared_ptr<const TwoPort> refined() const { return nullptr; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "flexura/core/jet2.hpp"
@@ -20,6 +21,12 @@ inline LameConstants lame_constants(double youngs_modulus, double poissons_ratio
 /// What keeps the strain normal to the plane: nothing (a thin plate, no stress there) or walls.
 enum class PlaneKind { stress, strain };
 
+/// What a law has across the plane: the stretch there, and the second Piola-Kirchhoff stress.
+struct AcrossPlane {
+  double stretch = 1.0;
+  double stress = 0.0;
+};
+
 // Strain energies per undeformed volume of a continuum in its plane, by the components e11, e22 and
 // g12 = 2 e12 of the Green-Lagrange strain E = (F^T F - 1)/2, F the deformation gradient. They
 // depend on nothing else of F, so rigid motions cost nothing whatever their size.
@@ -27,8 +34,9 @@ enum class PlaneKind { stress, strain };
 /// St. Venant-Kirchhoff: linear between E and the second Piola-Kirchhoff stress. Without stress
 /// across the plane, lambda 2 mu/(lambda + 2 mu) stands for lambda, at any strain.
 struct StVenantKirchhoff {
-  StVenantKirchhoff(LameConstants material, PlaneKind plane)
-      : lambda(plane == PlaneKind::strain
+  StVenantKirchhoff(LameConstants material, PlaneKind kind)
+      : plane(kind),
+        lambda(kind == PlaneKind::strain
                    ? material.lambda
                    : 2.0 * material.lambda * material.mu / (material.lambda + 2.0 * material.mu)),
         mu(material.mu) {}
@@ -39,6 +47,13 @@ struct StVenantKirchhoff {
            half_square(2.0 * mu, e22) + half_square(mu, g12);
   }
 
+  AcrossPlane across_plane(double e11, double e22, double /*g12*/) const {
+    if (plane == PlaneKind::strain) return {1.0, lambda * (e11 + e22)};
+    const double e33 = -0.5 * lambda / mu * (e11 + e22);
+    return {std::sqrt(std::max(1.0 + 2.0 * e33, 1e-6)), 0.0};  // far beyond what the law is for
+  }
+
+  PlaneKind plane;
   double lambda;
   double mu;
 };
@@ -61,24 +76,34 @@ struct NeoHookean {
            half_square(constants.lambda, log_volume);
   }
 
+  AcrossPlane across_plane(double e11, double e22, double g12) const {
+    const double in_plane = (1.0 + 2.0 * e11) * (1.0 + 2.0 * e22) - g12 * g12;
+    if (plane == PlaneKind::strain) return {1.0, 0.5 * constants.lambda * std::log(in_plane)};
+    return {std::sqrt(square_of_stretch_at(in_plane)), 0.0};
+  }
+
   LameConstants constants;
   PlaneKind plane;
 
  private:
-  /// One step of Newton's method in Scalars, from the root, gives its first derivatives; those of
-  /// second order multiply a stress that is zero.
-  template <class Scalar>
-  Scalar square_of_stretch(const Scalar& in_plane) const {
-    if (plane == PlaneKind::strain) return Scalar(1.0);
+  double square_of_stretch_at(double in_plane) const {
     double c = 1.0;
     for (int k = 0; k < 30; ++k) {
       const double rest =
-          constants.mu * (c - 1.0) + 0.5 * constants.lambda * std::log(c * in_plane.value);
+          constants.mu * (c - 1.0) + 0.5 * constants.lambda * std::log(c * in_plane);
       const double next = c - rest / (constants.mu + 0.5 * constants.lambda / c);
       const double change = std::abs(next - c);
       c = next > 0.0 ? next : 0.5 * c;
       if (change < 1e-15 * c) break;
     }
+    return c;
+  }
+  /// One step of Newton's method in Scalars, from the root, gives its first derivatives; those of
+  /// second order multiply a stress that is zero.
+  template <class Scalar>
+  Scalar square_of_stretch(const Scalar& in_plane) const {
+    if (plane == PlaneKind::strain) return Scalar(1.0);
+    const double c = square_of_stretch_at(in_plane.value);
     const Scalar rest = 0.5 * constants.lambda * log(c * in_plane) + constants.mu * (c - 1.0);
     return c - rest * (1.0 / (constants.mu + 0.5 * constants.lambda / c));
   }

@@ -94,6 +94,14 @@ std::vector<std::size_t> read_condense(Reading& reading, const Place& place,
   return bodies;
 }
 
+PathStudy::KeptFields read_kept_fields(Reading& reading, const Place& place) {
+  static const Vocabulary choices{{"none", "last", "every_step"}, {}};
+  const auto word = read_word(reading, place, "choice of fields", choices);
+  if (word == "none") return PathStudy::KeptFields::none;
+  if (word == "every_step") return PathStudy::KeptFields::every_step;
+  return PathStudy::KeptFields::last;
+}
+
 PathStudy read_path(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::path_study());
   PathStudy study;
@@ -113,6 +121,8 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
   if (const auto stage = table.find("stage")) study.stage = read_stage(reading, *stage, names);
   if (const auto condense = table.find("condense"))
     study.condense = read_condense(reading, *condense, names);
+  if (const auto fields = table.find("fields"))
+    study.stress_fields = read_kept_fields(reading, *fields);
   read_modelings_of(reading, table, study);
   return study;
 }

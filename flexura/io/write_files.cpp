@@ -78,7 +78,7 @@ WriteOutcome write_files(const fs::path& folder, const std::vector<OutputFile>& 
     std::string error = make_folder(target.parent_path(), undo);
     if (!error.empty()) return {error};
     undo.add_file(temporary);
-    error = write_whole(temporary, file.content, target);
+    error = write_whole(temporary, file.make ? file.make() : file.content, target);
     if (!error.empty()) return {error};
   }
   for (const OutputFile& file : files) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct WriteOutcome {
 struct OutputFile {
   std::filesystem::path name;  ///< relative to the folder
   std::string content;
+  /// Makes the content at the time of writing, where that is too large to be kept; or nothing.
+  std::function<std::string()> make = {};
 };
 
 /// Writes all files or none: every file is first written in full beside its place, and only when

@@ -65,6 +65,12 @@ Json modeling_json(const PathResult& path, const ModelingPath& modeling) {
   json["extremes"] = extremes_json(path, modeling);
   if (const auto safety = find_safety(path, modeling))
     json["safety"] = safety_json(path, *safety, "load_factor");
+  if (modeling.stress_error) json["stress_error"] = *modeling.stress_error;
+  if (const auto& largest = modeling.largest_stress)
+    json["largest_stress"] = {{"von_mises", largest->von_mises},
+                              {"flexure", path.flexures[largest->flexure]},
+                              {"place", pair(largest->place)},
+                              {"drawn", pair(largest->drawn)}};
   Json& events = json["events"] = Json::array();
   for (const PathEvent& event : modeling.events) {
     events.push_back({{"kind", event.kind},

@@ -1,5 +1,6 @@
 #include "flexura/io/write_results.hpp"
 
+#include <functional>
 #include <set>
 #include <string_view>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "flexura/io/write_csv.hpp"
 #include "flexura/io/write_json.hpp"
 #include "flexura/io/write_motion_csv.hpp"
+#include "flexura/io/write_vtu.hpp"
 
 namespace flexura {
 namespace {
@@ -23,12 +25,13 @@ bool can_name_a_file(std::string_view name) {
 /// Collects the files of a result; the first thing that cannot be written becomes the error.
 class FileList {
  public:
-  void add(const std::filesystem::path& name, std::string content) {
+  void add(const std::filesystem::path& name, std::string content,
+           std::function<std::string()> make = {}) {
     if (!names_.insert(name).second) {
       fail(fmt::format("Two results would both be written to '{}': give one another label.",
                        name.string()));
     }
-    files_.push_back({name, std::move(content)});
+    files_.push_back({name, std::move(content), std::move(make)});
   }
   void add(const std::filesystem::path& name, CsvText csv) {
     if (!csv.error.empty()) fail(fmt::format("Cannot write '{}': {}.", name.string(), csv.error));
@@ -42,6 +45,8 @@ class FileList {
  private:
   void add_modeling(const std::filesystem::path& folder, const Result& result,
                     const PathResult& path, const ModelingPath& modeling);
+  void add_fields(const std::filesystem::path& folder, const PathResult& path,
+                  const ModelingPath& modeling);
   void add_modeling(const std::filesystem::path& folder, bool frequencies, const ModeResult& modes,
                     const ModelingModes& modeling);
   void add_modeling(const std::filesystem::path& folder, const MotionResult& motion,
@@ -78,6 +83,24 @@ void FileList::add_modeling(const std::filesystem::path& folder, const Result& r
   if (!path.condensed.empty()) {
     add(folder / (modeling.label + ".stiffness.json"), make_stiffness_json(result, path, modeling));
   }
+  add_fields(folder, path, modeling);
+}
+
+/// A file of its own, or one for every state and the list of them.
+void FileList::add_fields(const std::filesystem::path& folder, const PathResult& path,
+                          const ModelingPath& modeling) {
+  std::vector<std::string> names;
+  std::vector<double> times;
+  for (const FieldState& fields : modeling.fields) {
+    const double load_factor = modeling.states[fields.state].load_factor;
+    names.push_back(modeling.fields.size() == 1
+                        ? modeling.label + ".fields.vtu"
+                        : fmt::format("{}.fields.{:03}.vtu", modeling.label, fields.state));
+    times.push_back(path.by_arc_length ? static_cast<double>(fields.state) : load_factor);
+    add(folder / names.back(), {},
+        [&fields, time = times.back()] { return make_vtu(fields, time); });
+  }
+  if (names.size() > 1) add(folder / (modeling.label + ".fields.pvd"), make_pvd(names, times));
 }
 
 void FileList::add_modeling(const std::filesystem::path& folder, bool frequencies,

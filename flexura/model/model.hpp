@@ -134,6 +134,7 @@ struct StageSettings {
 /// Study `path`: the equilibria as all loads and prescribed displacements grow together, in `steps`
 /// equal steps of the load factor from 0 to 1.
 struct PathStudy {
+  enum class KeptFields { none, last, every_step };
   std::vector<Load> loads;
   FieldLoads fields;
   std::vector<Prescribed> prescribe;
@@ -143,6 +144,7 @@ struct PathStudy {
   std::optional<BranchSwitch> branch;
   std::optional<StageSettings> stage;
   std::vector<std::size_t> condense;  ///< bodies whose condensed stiffness is wanted
+  KeptFields stress_fields = KeptFields::last;
   int steps = 20;
   std::vector<ModelingSettings> modelings;
   std::size_t reference = 0;  ///< index into modelings: what the others are compared with

@@ -56,6 +56,15 @@ std::vector<double> LagrangeLine::slopes(double x) const {
   return slopes;
 }
 
+std::vector<double> through_gauss(std::size_t count, double x) {
+  const std::vector<double>& places = gauss_legendre(static_cast<int>(count)).nodes;
+  std::vector<double> values(count, 1.0);
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b)
+      if (b != a) values[a] *= (x - places[b]) / (places[a] - places[b]);
+  return values;
+}
+
 double StripMesh::station(std::size_t column) const {
   const std::size_t p = line.order();
   const std::size_t e = std::min(column / p, along - 1);

@@ -39,6 +39,9 @@ class LagrangeLine {
   std::vector<double> places_;  // -1 .. 1
 };
 
+/// Lagrange polynomials through the points of a Gauss rule, at x.
+std::vector<double> through_gauss(std::size_t count, double x);
+
 /// A flexure's outline as quadrilaterals: `along` columns of elements from the base end to the
 /// action end and `across` elements in each, of Gauss-Lobatto nodes. Node (column, row) is number
 /// column * rows + row; columns ascend along the axis and rows along its normal. Places count from

@@ -35,16 +35,6 @@ std::vector<Vec2> displacements(const ContinuumStrip& strip, std::span<const dou
                              y.data() + strip.unknowns.action_face);
 }
 
-/// Lagrange polynomials through the points of a Gauss rule, at x.
-std::vector<double> through_gauss(std::size_t count, double x) {
-  const std::vector<double>& places = gauss_legendre(static_cast<int>(count)).nodes;
-  std::vector<double> values(count, 1.0);
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b)
-      if (b != a) values[a] *= (x - places[b]) / (places[a] - places[b]);
-  return values;
-}
-
 /// A place of a strip in another mesh of it: element and reference coordinates.
 struct MeshPlace {
   std::size_t ex = 0, ey = 0;

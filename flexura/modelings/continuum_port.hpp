@@ -58,6 +58,11 @@ struct ContinuumStrip {
 std::vector<Vec2> strip_displacements(const ContinuumStrip& strip, const double* nodes,
                                       const double* base, const double* action);
 
+/// Stresses of a strip from the displacements of all its nodes and the strains of its quadrature
+/// points.
+StressField recover_stress(const ContinuumStrip& strip, const std::vector<Vec2>& moved,
+                           const double* strains);
+
 /// The mean place of a section and the turn of its first moment, which are those of the face that
 /// would do the same work; with the forces that hold the load on the tip.
 std::vector<SectionState> strip_sections(const StripMesh& mesh, const StationGrid& grid,
@@ -87,6 +92,7 @@ class ContinuumPort final : public TwoPort {
   Eigen::MatrixXd hessian(const Eigen::Vector3d& load, const double* internal) const override;
   std::vector<SectionState> sections(const Eigen::Vector3d& load,
                                      std::span<const double> internal) const override;
+  std::optional<StressField> stress_field(std::span<const double> internal) const override;
   std::shared_ptr<const TwoPort> refined() const override;
   void prolong(std::span<const double> internal, std::span<double> refined) const override;
   double error_ratio() const override;

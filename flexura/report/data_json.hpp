@@ -105,6 +105,9 @@ Json modeling_head_json(const Modeling& m) {
 Json members_json(const std::vector<std::vector<MemberStation>>& members);
 Json safety_json(const std::optional<Safety>& safety);
 
+/// Null where the modeling has none.
+Json stress_fields_json(const ModelingPath& modeling, const DrawnCoordinates& coordinates);
+
 Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates);
 Json make_mode_json(const ModeResult& modes, const DrawnCoordinates& coordinates);
 Json make_motion_json(const MotionResult& motion, const DrawnCoordinates& coordinates);

@@ -94,6 +94,7 @@ Json modeling_json(const PathResult& path, std::size_t index, const DrawnCoordin
   json["condensed"] = std::move(condensed);
   json["differences"] = std::move(differences);
   json["members"] = members_json(m.members);
+  json["stress_fields"] = stress_fields_json(m, coordinates);
   return json;
 }
 

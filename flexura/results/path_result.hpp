@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "flexura/core/stress_field.hpp"
 #include "flexura/core/termination.hpp"
 #include "flexura/core/vec2.hpp"
 
@@ -69,6 +70,24 @@ struct PathState {
   int unstable_directions = 0;  ///< negative eigenvalues of the tangent; 0 is stable
 };
 
+/// Stress fields in one state, axes and places global.
+struct FieldState {
+  struct OfFlexure {
+    std::size_t flexure = 0;  ///< index into PathResult::flexures
+    StressField field;
+  };
+  std::size_t state = 0;  ///< index into ModelingPath::states
+  std::vector<OfFlexure> flexures;
+};
+
+/// Where the von Mises stress at the nodes of the fields is largest.
+struct LargestStress {
+  double von_mises = 0.0;
+  std::size_t flexure = 0;
+  Vec2 place;  ///< in the state
+  Vec2 drawn;
+};
+
 struct PathEvent {
   std::string kind;  ///< "limit point", "bifurcation", "stability lost", "stability gained"
   double load_factor = 0.0;
@@ -100,6 +119,11 @@ struct ModelingPath {
   std::vector<ReactionEvent> reaction_events;
   std::vector<std::optional<StageState>> stage;  ///< per state, where a stage is asked for
   std::vector<CondensedStiffness> condensed;     ///< at the first and the last state
+  std::vector<FieldState> fields;                ///< as asked for, of modelings that have them
+  /// Energy norm of the last state's error in stress, relative to that of its stress; absent
+  /// without fields.
+  std::optional<double> stress_error;
+  std::optional<LargestStress> largest_stress;  ///< of the last state
   int unknowns = 0;
   int steps = 0;       ///< converged load steps, intermediate ones included
   int iterations = 0;  ///< Newton iterations in all

@@ -19,6 +19,10 @@ class MechanismState {
   virtual std::vector<SectionState> drawn_sections(std::size_t member) const = 0;
   virtual std::vector<Vec2> drawn_axis(std::size_t member,
                                        const std::vector<SectionState>& sections) const = 0;
+  /// As a port gives it; absent where it has none.
+  virtual std::optional<StressField> stress_field(std::size_t /*member*/) const {
+    return std::nullopt;
+  }
 };
 
 /// An equilibrium.
@@ -42,6 +46,9 @@ class StillState final : public MechanismState {
   std::vector<Vec2> drawn_axis(std::size_t member,
                                const std::vector<SectionState>& sections) const override {
     return port(member).drawn_axis(sections, system_.internal(member, z_));
+  }
+  std::optional<StressField> stress_field(std::size_t member) const override {
+    return port(member).stress_field(system_.internal(member, z_));
   }
 
  private:

@@ -6,6 +6,7 @@
 
 #include "flexura/studies/arc_tracer.hpp"
 #include "flexura/studies/displacement_norm.hpp"
+#include "flexura/studies/field_record.hpp"
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_tracer.hpp"
 #include "flexura/studies/prescribed.hpp"
@@ -105,6 +106,7 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
     path.members = make_members(model, *traced.systems[last.system], last.z);
     path.error_estimate = relative_error(traced, path.states);
   }
+  add_fields(model, study, traced, path);
   add_stage_records(model, study, traced, path);
   path.reaction_events = study.arc_length && study.prescribe.empty()
                              ? load_events(model, traced)

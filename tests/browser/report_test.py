@@ -113,6 +113,56 @@ class ReportTest(PageTest):
                             "s.dispatchEvent(new Event('change'))")
         self.assertNotEqual(before, self.browser.script(state))
 
+    def painted(self):
+        """How many pixels of the canvas over the mechanism are not clear, and of how many hues."""
+        return self.browser.script("""
+          const sheet = document.querySelector('.view-canvas');
+          if (!sheet) return [0, 0];
+          const { data } = sheet.getContext('2d').getImageData(0, 0, sheet.width, sheet.height);
+          const hues = new Set();
+          let count = 0;
+          for (let i = 0; i < data.length; i += 4) {
+            if (data[i + 3] < 250) continue;
+            count += 1;
+            hues.add((data[i] >> 4) + ' ' + (data[i + 1] >> 4) + ' ' + (data[i + 2] >> 4));
+          }
+          return [count, hues.size];
+        """)
+
+    def choose_field(self, key):
+        self.browser.script(
+            "document.querySelector(`[name=field][value='${arguments[0]}']`).click()", key)
+        time.sleep(0.1)
+
+    def test_stress_colours_the_flexures_of_the_last_state(self):
+        self.open_study("push")
+        self.seek(0.4)
+        self.assertEqual(0, self.painted()[0])
+        for key in ("von_mises", "first", "second", "xx", "yy", "xy"):
+            self.choose_field(key)
+            count, hues = self.painted()
+            self.assertGreater(count, 1000, key)
+            self.assertGreater(hues, 10, key)
+            self.assertRegex(self.texts("#field-caption")[0], "continuum: .* to .* N/mm².*0.40 %")
+        self.assertIn("N/mm²", self.texts(".colour-bar-high")[0])
+        self.seek(0.4)
+        self.assertEqual(0, self.painted()[0])
+        self.assertIn("end of the slider", self.texts("#field-caption")[0])
+        self.choose_field("")
+        self.assertEqual("", self.texts("#field-caption")[0])
+
+    def test_stress_of_every_step_follows_the_slider(self):
+        self.open_study("lift & turn")
+        self.choose_field("von_mises")
+        captions = set()
+        for share in (0.0, 0.325, 0.7, 1.0):
+            self.seek(share)
+            self.assertGreater(self.painted()[0], 1000)
+            captions.add(self.texts("#field-caption")[0])
+        self.assertEqual(4, len(captions))
+        self.choose_field("")
+        self.assertEqual(0, self.painted()[0])
+
     def choose_diagram(self, key):
         self.browser.script("document.querySelector(`[name=diagram][value='${arguments[0]}']`)"
                             ".click()", key)

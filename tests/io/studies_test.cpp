@@ -109,6 +109,26 @@ TEST(Studies, Reference) {
             1u);
 }
 
+TEST(Studies, KeptFields) {
+  const auto text = [](const std::string& keys) {
+    testing::ModelText parts;
+    parts.studies =
+        "[studies.push]\nkind = \"path\"\nloads = [{ on = \"stage\", moment = 1 }]\n"
+        "modelings = [\"continuum\"]\n" +
+        keys;
+    return parts.text();
+  };
+  const auto kept = [&](const std::string& keys) {
+    return std::get<PathStudy>(testing::read_valid(text(keys)).studies.at(0).kind).stress_fields;
+  };
+  EXPECT_EQ(kept(""), PathStudy::KeptFields::last);
+  EXPECT_EQ(kept("fields = \"last\"\n"), PathStudy::KeptFields::last);
+  EXPECT_EQ(kept("fields = \"none\"\n"), PathStudy::KeptFields::none);
+  EXPECT_EQ(kept("fields = \"every_step\"\n"), PathStudy::KeptFields::every_step);
+  const auto wrong = read_model_text(text("fields = \"every_stp\"\n"), {});
+  EXPECT_NE(testing::messages(wrong.diagnostics).find("every_step"), std::string::npos);
+}
+
 TEST(Studies, LinearAndInverse) {
   ModelText text;
   text.studies = R"([studies.ellipse]

@@ -6,6 +6,7 @@
 
 #include "tests/report/sample_chain.hpp"
 #include "tests/report/sample_ellipse.hpp"
+#include "tests/report/sample_field.hpp"
 
 namespace flexura::sample {
 namespace {
@@ -183,6 +184,7 @@ Result make_sample_result() {
   StudyResult pushed = study("push", "path", push);
   PathResult pushed_path = make_path(push);
   add_stage(pushed_path);
+  add_stress_fields(pushed_path.modelings.back(), false);
   pushed.content = std::move(pushed_path);
   result.studies.push_back(std::move(pushed));
 
@@ -190,6 +192,7 @@ Result make_sample_result() {
   StudyResult lifted = study("lift & turn", "path", lift);
   PathResult path = make_path(lift);
   stop_after(path.modelings[1], 13);
+  add_stress_fields(path.modelings.back(), true);
   lifted.termination = {Status::stopped, "scmbm stopped at load factor 0.65"};
   lifted.content = std::move(path);
   lifted.fields = {{{1, {0.0, -1e-4}}}, {0.0, -9810.0}, 20.0, false};

@@ -89,7 +89,7 @@
   const address = (study) => `#${encodeURIComponent(study.name)}`;
 
   function openAddressed() {
-    const [study, diagram] = window.location.hash.slice(1).split('/');
+    const [study, drawn] = window.location.hash.slice(1).split('/');
     let name = '';
     try {
       name = decodeURIComponent(study);
@@ -97,7 +97,8 @@
       name = ''; // an address that is no valid encoding names no study
     }
     open(data.studies.find((s) => s.name === name) || data.studies[0]);
-    if (SectionForces.named(diagram)) State.set({ diagram });
+    if (SectionForces.named(drawn)) State.set({ diagram: drawn });
+    if (StressFields.named(drawn)) State.set({ field: drawn });
   }
 
   function tabs() {

@@ -49,6 +49,7 @@ const PathStudy = (() => {
     const left = stage.append('section').attr('class', 'panel mechanism').node();
     Figure.legend(left, path.modelings);
     const caption = Diagrams.chooser(left);
+    const fields = StressFields.make(left, path, timeline);
     const label = `The mechanism, undeformed and deformed, in study ${study.name}`;
     const { box, strays } = Figure.frameOf(path, (m) => m.states.flatMap(
       (s) => [...s.points, ...s.axes.flatMap(Motion.pairs)]));
@@ -56,6 +57,7 @@ const PathStudy = (() => {
       const shown = Figure.shownStates(path, timeline, Motion.stateAt);
       caption.text(Figure.draw(v, study, path, shown, () => (
         drawTraces(v, path, shown, timeline))));
+      fields.draw(v, shown);
     });
     Transport.make(left, timeline);
     d3.select(left).append('p').attr('class', 'hint').text(hintFor(path, strays));
@@ -67,6 +69,11 @@ const PathStudy = (() => {
     // Section forces are those of the last state, so that is where the reader is taken.
     State.follow(['diagram'], () => {
       if (State.chosen.diagram) State.set({ position: timeline.end });
+      else view.redraw();
+    });
+    // So are stresses, where no others were kept.
+    State.follow(['field'], () => {
+      if (State.chosen.field && fields.onlyAtEnd) State.set({ position: timeline.end });
       else view.redraw();
     });
     const comparison = d3.select(host).append('section').attr('class', 'panel');

@@ -31,6 +31,7 @@ const State = (() => {
     held: 0, // whose reactions are shown
     flexure: 0, // whose section forces are shown
     diagram: '', // key of the section force drawn on the mechanism: see SectionForces
+    field: '', // key of the stress that colours the flexures: see StressFields
     record: 0, // of a linear study
     place: 0, // of a response
     groups: new Set(['flexure', 'point']), // of ellipses drawn

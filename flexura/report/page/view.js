@@ -55,6 +55,21 @@ class View {
     this.redraw();
   }
 
+  // A cleared canvas under the drawing, for what has more parts than SVG bears: its context, in
+  // screen coordinates.
+  canvas() {
+    if (!this.sheet) {
+      this.sheet = d3.select(this.svg.node().parentNode).insert('canvas', 'svg')
+        .attr('class', 'view-canvas').attr('aria-hidden', 'true').node();
+    }
+    const density = window.devicePixelRatio || 1;
+    this.sheet.width = Math.round(density * this.width);
+    this.sheet.height = Math.round(density * this.height);
+    const context = this.sheet.getContext('2d');
+    context.scale(density, density);
+    return context;
+  }
+
   redraw() {
     if (!this.width) return;
     this.drawScaleBar();
