@@ -338,7 +338,8 @@ def print_table(outcomes, reference, against):
 def report(run, *arguments):
     outcome = run(*arguments)
     print(f"{outcome.code}: {outcome.what}: {outcome.seconds:.2f} s, {outcome.iterations} "
-          f"iterations {outcome.note}", flush=True)
+          f"iterations, E {outcome.place[0]:.6f} {outcome.place[1]:.6f} {outcome.note}".rstrip(),
+          flush=True)
     return outcome
 
 
