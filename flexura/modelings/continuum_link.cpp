@@ -12,13 +12,16 @@
 namespace flexura {
 namespace {
 
-/// Unknowns: those of the mesh, then enhanced strains of four-node elements, then strains of every
-/// quadrature point.
+/// Unknowns: those of the mesh, enhanced strains of four-node elements, strains of every quadrature
+/// point, and the cosine (less 1) and sine by which the action nodes are turned. These two follow
+/// the rotation of the action end to first order, as strains follow places, and end as its own:
+/// turned by it at once, the nodes would strain fine elements about them by its square, over and
+/// over.
 class LinkPort final : public TwoPort {
  public:
   LinkPort(const MeshLink& link, const Material& material, const ContinuumSettings& settings);
 
-  std::size_t internal_size() const override { return strains_ + 3 * mesh_.points; }
+  std::size_t internal_size() const override { return turned_ + 2; }
   std::size_t nodal_size() const override { return mesh_.size(); }
   std::size_t scratch_size() const override { return scratch_size_; }
   TipResponse linearize(const Eigen::Vector3d& load, const double* internal,
@@ -37,19 +40,23 @@ class LinkPort final : public TwoPort {
                                std::span<const double> internal) const override;
 
  private:
-  /// Of what a linearization works on.
+  /// Of what a linearization works on. `short_of` is what the turn of the action nodes lacks.
   struct Work {
     double* scratch;
     const double* y;
     LinkFactor& factor;
     Eigen::Matrix<double, Eigen::Dynamic, 4> sides;
     double turn;
+    Vec2 short_of;
     double energy;
   };
   Pose tip_pose(const double* y) const {
     const double* tip = y + mesh_.pose;
     return {mesh_.chord + mesh_.length * Vec2{tip[0], tip[1]}, tip[2]};
   }
+  /// A turn as cosine and sine.
+  static Vec2 turned(Vec2 turn, Vec2 arm) { return turn.x * arm + turn.y * perp(arm); }
+  Vec2 turn_of_nodes(const double* y) const { return {1.0 + y[turned_], y[turned_ + 1]}; }
   Vec2 place(std::size_t node, const double* y, const Pose& tip) const;
   bool is_enhanced(const LinkBlock& block) const {
     return settings_.enhanced && block.kind == ElementKind::quad4;
@@ -73,10 +80,11 @@ class LinkPort final : public TwoPort {
   std::vector<std::size_t> border_;
   std::size_t enhanced_ = 0;  // unknowns
   std::size_t strains_ = 0;
+  std::size_t turned_ = 0;
   std::size_t gaps_ = 0;  // scratch; the places of the nodes come first
   std::size_t follow_ = 0;
   std::size_t solution_ = 0;
-  std::size_t turn_ = 0;
+  std::size_t turn_ = 0;  // of the action end, and what its nodes lack of it
   std::size_t scratch_size_ = 0;
   mutable LinkFactors factors_;
 };
@@ -93,18 +101,19 @@ LinkPort::LinkPort(const MeshLink& link, const Material& material,
     if (is_enhanced(block)) enhanced += block.elements();
   enhanced_ = mesh_.size();
   strains_ = enhanced_ + enhanced_modes * enhanced;
+  turned_ = strains_ + 3 * mesh_.points;
   gaps_ = 2 * mesh_.nodes.size();
   follow_ = gaps_ + 3 * mesh_.points;
   solution_ = follow_ + follow_size * enhanced;
   turn_ = solution_ + 4 * mesh_.size();
-  scratch_size_ = turn_ + 1;
+  scratch_size_ = turn_ + 3;
 }
 
 Vec2 LinkPort::place(std::size_t node, const double* y, const Pose& tip) const {
   const std::size_t first = mesh_.unknown[node];
   if (first == LinkMesh::at_base) return mesh_.nodes[node];
   if (first == LinkMesh::at_action)
-    return tip.position + rotate(tip.rotation, mesh_.nodes[node] - mesh_.chord);
+    return tip.position + turned(turn_of_nodes(y), mesh_.nodes[node] - mesh_.chord);
   return mesh_.nodes[node] + mesh_.length * Vec2{y[first], y[first + 1]};
 }
 
@@ -141,6 +150,7 @@ void LinkPort::add_moved_element(const LinkBlock& block, std::size_t element,
   const auto n = static_cast<Eigen::Index>(2 * per);
   const auto m = static_cast<Eigen::Index>(unknowns.size());
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(n, m);
+  Eigen::VectorXd misfit = Eigen::VectorXd::Zero(n);
   double second = 0.0;  // by the turn, of what the forces work on
   Eigen::Index own = 0;
   for (std::size_t a = 0; a < per; ++a) {
@@ -155,6 +165,8 @@ void LinkPort::add_moved_element(const LinkBlock& block, std::size_t element,
       own += 2;
       continue;
     }
+    const Vec2 lack = turned(work.short_of, mesh_.nodes[node] - mesh_.chord);
+    misfit.segment<2>(row) << lack.x, lack.y;
     const Vec2 arm = rotate(work.turn, mesh_.nodes[node] - mesh_.chord);
     slopes(row, m - 1) = -arm.y;
     slopes(row + 1, m - 1) = arm.x;
@@ -165,7 +177,8 @@ void LinkPort::add_moved_element(const LinkBlock& block, std::size_t element,
   Eigen::MatrixXd k = slopes.transpose() * (stiffness.selfadjointView<Eigen::Lower>() * slopes);
   k(m - 1, m - 1) += second;
   const Eigen::VectorXd force =
-      slopes.transpose() * Eigen::Map<const Eigen::VectorXd>(tangent.forces.data(), n);
+      slopes.transpose() * (Eigen::Map<const Eigen::VectorXd>(tangent.forces.data(), n) +
+                            stiffness.selfadjointView<Eigen::Lower>() * misfit);
   const int* at = mesh_.places.data() + mesh_.first_place[block.first_element + element];
   for (Eigen::Index i = 0; i < m; ++i) {
     work.sides(static_cast<Eigen::Index>(unknowns[static_cast<std::size_t>(i)]), 0) += force[i];
@@ -224,11 +237,14 @@ TipResponse LinkPort::linearize(const Eigen::Vector3d& load, const double* inter
   const Pose tip = tip_pose(internal);
   auto* places = reinterpret_cast<Vec2*>(scratch);
   for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) places[n] = place(n, internal, tip);
+  const Vec2 short_of = unit(tip.rotation) - turn_of_nodes(internal);
   scratch[turn_] = tip.rotation;
+  scratch[turn_ + 1] = short_of.x;
+  scratch[turn_ + 2] = short_of.y;
   std::unique_ptr<LinkFactor> factor = factors_.take();
   factor->clear();
   const auto size = static_cast<Eigen::Index>(mesh_.size());
-  Work work{scratch, internal, *factor, {}, tip.rotation, 0.0};
+  Work work{scratch, internal, *factor, {}, tip.rotation, short_of, 0.0};
   work.sides.setZero(size, 4);
   const LameConstants lame = lame_constants(material_.youngs_modulus, material_.poissons_ratio);
   if (settings_.law == ContinuumSettings::Law::neo_hookean)
@@ -264,6 +280,10 @@ void LinkPort::advance(const double* scratch, double residual, const Eigen::Vect
   Eigen::Map<Eigen::VectorXd>(step, size) =
       solution.rightCols<3>() * load - residual * solution.col(0);
   const double* tip = step + mesh_.pose;
+  const Vec2 turn =
+      residual * Vec2{scratch[turn_ + 1], scratch[turn_ + 2]} + tip[2] * perp(unit(scratch[turn_]));
+  step[turned_] = turn.x;
+  step[turned_ + 1] = turn.y;
   std::vector<Vec2> changes(mesh_.nodes.size());
   for (std::size_t n = 0; n < changes.size(); ++n) {
     const std::size_t first = mesh_.unknown[n];
@@ -271,7 +291,7 @@ void LinkPort::advance(const double* scratch, double residual, const Eigen::Vect
     const double* u = first == LinkMesh::at_action ? tip : step + first;
     changes[n] = mesh_.length * Vec2{u[0], u[1]};
     if (first == LinkMesh::at_action)
-      changes[n] = changes[n] + tip[2] * perp(rotate(scratch[turn_], mesh_.nodes[n] - mesh_.chord));
+      changes[n] = changes[n] + turned(turn, mesh_.nodes[n] - mesh_.chord);
   }
   for (const LinkBlock& block : mesh_.blocks) follow(block, scratch, residual, changes, step);
 }
