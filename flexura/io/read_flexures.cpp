@@ -76,11 +76,6 @@ std::size_t read_reference(Reading& reading, TableReader& table, const char* key
   return name ? index.resolve(reading, *place, *name) : NameIndex::none;
 }
 
-void read_strip(Reading& reading, TableReader& table, const Names& names, Flexure& flexure) {
-  if (const auto axis = table.require("axis")) flexure.axis = read_axis(reading, *axis);
-  flexure.section = read_reference(reading, table, "section", names.sections);
-}
-
 /// Without a mesh after a mistake the flexure stays a strip, which no rule looks at.
 void read_mesh(Reading& reading, TableReader& table, Flexure& flexure) {
   for (const char* key : {"axis", "section"})
@@ -156,11 +151,14 @@ std::vector<Flexure> read_flexures(Reading& reading, const Place& place, const N
       read_pinned(reading, *pinned, between ? texts_in(*between->node) : std::vector<std::string>{},
                   flexure);
     }
+    if (!table.has("mesh")) {
+      if (const auto axis = table.require("axis")) flexure.axis = read_axis(reading, *axis);
+    }
     flexure.material = read_reference(reading, table, "material", names.materials);
     if (table.has("mesh"))
       read_mesh(reading, table, flexure);
     else
-      read_strip(reading, table, names, flexure);
+      flexure.section = read_reference(reading, table, "section", names.sections);
     flexure.misfit = table.vector("misfit", dimensions::length, {});
     flexure.misfit_rotation = table.quantity("misfit_rotation", dimensions::angle, 0.0);
     flexures.push_back(std::move(flexure));
