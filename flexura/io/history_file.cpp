@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "flexura/core/nearest_word.hpp"
 #include "flexura/core/units.hpp"
+#include "flexura/io/text_file.hpp"
 
 namespace flexura {
 namespace {
@@ -20,15 +18,6 @@ struct Field {
   std::string_view text;
   std::size_t start = 0;  ///< byte of its line
 };
-
-/// A part of the file for a message: not long, and nothing that a terminal would act on.
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string readable(text.substr(0, longest));
-  std::replace_if(
-      readable.begin(), readable.end(), [](char c) { return c < 32 || c > 126; }, '?');
-  return readable;
-}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -107,7 +96,7 @@ class ColumnReader {
       const auto at = std::find(names.begin(), names.end(), name);
       index = static_cast<std::size_t>(at - names.begin());
       if (at != names.end()) return true;
-      std::transform(names.begin(), names.end(), names.begin(), shown);
+      std::transform(names.begin(), names.end(), names.begin(), shown_text);
       return fail(key, fmt::format("'{}' has no column '{}'{}", columns_.file, name,
                                    suggestion(name, names)));
     };
@@ -122,8 +111,8 @@ class ColumnReader {
     }
     const auto number = read_number(fields[index].text);
     if (!number)
-      fail_at(fields[index].start,
-              fmt::format("'{}' in column '{}' is not a number", shown(fields[index].text), name));
+      fail_at(fields[index].start, fmt::format("'{}' in column '{}' is not a number",
+                                               shown_text(fields[index].text), name));
     return number;
   }
 
@@ -155,24 +144,9 @@ class ColumnReader {
 
 HistoryFileReading read_history_file(const std::filesystem::path& path,
                                      const HistoryColumns& columns) {
-  const auto refuse = [&](const std::string& why) {
-    return HistoryFileReading{
-        {}, {}, fmt::format("cannot read '{}': {}", columns.file, why), "file"};
-  };
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return refuse("it is a directory");
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return refuse(std::strerror(errno));
-  std::string text;
-  std::vector<char> block(std::size_t{1} << 20U);
-  while (
-      text.size() <= longest_history_file &&
-      (stream.read(block.data(), static_cast<std::streamsize>(block.size())), stream.gcount() > 0))
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) return refuse("reading failed");
-  if (text.size() > longest_history_file) return refuse("it is longer than 64 MB");
-  return ColumnReader(text, columns).read();
+  const TextReading file = read_text_file(path, columns.file, longest_history_file);
+  if (!file.error.empty()) return {{}, {}, file.error, "file"};
+  return ColumnReader(file.text, columns).read();
 }
 
 }  // namespace flexura

@@ -38,6 +38,15 @@ bool read_version(Reading& reading, TableReader& table) {
   return false;
 }
 
+/// Links of any shape have no section.
+bool has_strips(const TableReader& table) {
+  const auto flexures = table.find("flexures");
+  const auto* entries = flexures ? flexures->node->table() : nullptr;
+  if (!entries || entries->empty()) return true;
+  return std::any_of(entries->begin(), entries->end(),
+                     [](const TomlEntry& entry) { return !entry.node.find("mesh"); });
+}
+
 Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides& overrides) {
   Model model;
   if (const auto title = table.find("title")) {
@@ -52,7 +61,7 @@ Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides
   };
   const auto materials = of_flexures("materials");
   if (materials) model.materials = read_materials(reading, *materials);
-  const auto sections = of_flexures("sections");
+  const auto sections = has_strips(table) ? of_flexures("sections") : table.find("sections");
   if (sections) model.sections = read_sections(reading, *sections);
   const auto bodies = table.require("bodies");
   if (bodies) model.bodies = read_bodies(reading, *bodies);

@@ -2,6 +2,7 @@
 
 #include "flexura/core/nearest_word.hpp"
 #include "flexura/io/read_entities.hpp"
+#include "flexura/io/read_link.hpp"
 #include "flexura/io/table_reader.hpp"
 
 namespace flexura {
@@ -75,6 +76,21 @@ std::size_t read_reference(Reading& reading, TableReader& table, const char* key
   return name ? index.resolve(reading, *place, *name) : NameIndex::none;
 }
 
+/// Without a mesh after a mistake the flexure stays a strip, which no rule looks at.
+void read_mesh(Reading& reading, TableReader& table, Flexure& flexure) {
+  for (const char* key : {"axis", "section"})
+    if (table.has(key))
+      reading.report_key(table.path(), key, table.position(key),
+                         "a flexure is a mesh, or has an axis and a section");
+  flexure.section = NameIndex::none;
+  flexure.link = read_mesh_link(reading, *table.find("mesh"));
+  if (flexure.link && !find_mesh_fault(*flexure.link)) {
+    flexure.axis = link_axis(*flexure.link);
+    return;
+  }
+  for (const char* key : {"axis", "section"}) reading.spoil(table.path(key));
+}
+
 }  // namespace
 
 void read_body_pair(Reading& reading, const Place& place, const std::string& what,
@@ -135,9 +151,14 @@ std::vector<Flexure> read_flexures(Reading& reading, const Place& place, const N
       read_pinned(reading, *pinned, between ? texts_in(*between->node) : std::vector<std::string>{},
                   flexure);
     }
-    if (const auto axis = table.require("axis")) flexure.axis = read_axis(reading, *axis);
+    if (!table.has("mesh")) {
+      if (const auto axis = table.require("axis")) flexure.axis = read_axis(reading, *axis);
+    }
     flexure.material = read_reference(reading, table, "material", names.materials);
-    flexure.section = read_reference(reading, table, "section", names.sections);
+    if (table.has("mesh"))
+      read_mesh(reading, table, flexure);
+    else
+      flexure.section = read_reference(reading, table, "section", names.sections);
     flexure.misfit = table.vector("misfit", dimensions::length, {});
     flexure.misfit_rotation = table.quantity("misfit_rotation", dimensions::angle, 0.0);
     flexures.push_back(std::move(flexure));

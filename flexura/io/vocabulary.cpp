@@ -76,7 +76,13 @@ const Vocabulary& body() {
 
 const Vocabulary& flexure() {
   static const Vocabulary v{
-      {"between", "pinned", "axis", "material", "section", "misfit", "misfit_rotation"}, {}};
+      {"between", "pinned", "axis", "material", "section", "mesh", "misfit", "misfit_rotation"},
+      {"outline"}};
+  return v;
+}
+
+const Vocabulary& mesh() {
+  static const Vocabulary v{{"file", "part", "base", "action", "depth", "unit"}, {}};
   return v;
 }
 

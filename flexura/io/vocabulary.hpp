@@ -28,6 +28,7 @@ const Vocabulary& no_keys();
 const Vocabulary& general();
 const Vocabulary& body();
 const Vocabulary& flexure();
+const Vocabulary& mesh();
 const Vocabulary& spring();
 const Vocabulary& joint();
 const Vocabulary& prismatic();

@@ -119,6 +119,11 @@ struct AxisRules {
   }
 };
 
+void check_link(const MeshLink& link, const KeyPath& path, Mistakes& mistakes) {
+  mistakes.require_positive(path / "depth", link.depth);
+  if (const auto fault = find_mesh_fault(link)) mistakes.add(path / "file", *fault);
+}
+
 void check_flexure(const Model& model, const Flexure& flexure, Mistakes& mistakes) {
   const KeyPath path = {"flexures", flexure.name};
   const auto check_index = [&](const char* key, std::size_t index, std::size_t size) {
@@ -127,13 +132,16 @@ void check_flexure(const Model& model, const Flexure& flexure, Mistakes& mistake
   check_index("between", flexure.base, model.bodies.size());
   check_index("between", flexure.action, model.bodies.size());
   check_index("material", flexure.material, model.materials.size());
-  check_index("section", flexure.section, model.sections.size());
+  if (!flexure.link) check_index("section", flexure.section, model.sections.size());
   if (flexure.base == flexure.action && flexure.base < model.bodies.size()) {
     mistakes.add(path / "between",
                  fmt::format("a flexure joins two different bodies, here both are '{}'",
                              model.bodies[flexure.base].name));
   }
-  std::visit(AxisRules{path / "axis", mistakes}, flexure.axis);
+  if (flexure.link)
+    check_link(*flexure.link, path / "mesh", mistakes);
+  else
+    std::visit(AxisRules{path / "axis", mistakes}, flexure.axis);
   mistakes.require_finite(path / "misfit", flexure.misfit);
   mistakes.require_finite(path / "misfit_rotation", flexure.misfit_rotation);
   if (flexure.pinned_action && flexure.misfit_rotation != 0.0)

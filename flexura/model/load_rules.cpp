@@ -132,6 +132,11 @@ void check_fields(const Model& model, const FieldLoads& fields,
                                material.name, flexure.name));
   }
   if (!fields.act()) return;
+  for (const Flexure& flexure : model.flexures)
+    if (flexure.link)
+      mistakes.add(path, fmt::format("flexure '{}' is a mesh: gravity, temperature and distributed "
+                                     "loads act on strips only",
+                                     flexure.name));
   for (std::size_t m = 0; m < modelings.size(); ++m)
     if (!carries_fields(modelings[m]))
       mistakes.add(path / "modelings" / m,

@@ -45,6 +45,10 @@ bool has_inertia_about(const Body& body, Vec2 pin, double size) {
 
 }  // namespace
 
+Section section_of(const Model& model, const Flexure& flexure) {
+  return flexure.link ? link_section(*flexure.link) : model.sections[flexure.section].shape;
+}
+
 AxisEnds axis_ends(const AxisShape& axis) { return std::visit(Ends{}, axis); }
 
 bool needs_assembly(const Model& model) {

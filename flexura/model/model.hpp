@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "flexura/core/diagnostics.hpp"
 #include "flexura/core/vec2.hpp"
 #include "flexura/geometry/axis_curve.hpp"
+#include "flexura/geometry/mesh_link.hpp"
 #include "flexura/geometry/section.hpp"
 #include "flexura/model/loads.hpp"
 #include "flexura/model/modeling_settings.hpp"
@@ -72,6 +74,8 @@ struct Flexure {
   Vec2 misfit;
   double misfit_rotation = 0.0;
   SourcePosition source;
+  /// Of any shape instead of a strip: `axis` is then link_axis(*link), `section` beyond the list.
+  std::shared_ptr<const MeshLink> link = nullptr;
 };
 
 /// A body's point or, without one, its centre.
@@ -201,6 +205,9 @@ struct Model {
   std::vector<Driver> drivers;
   std::vector<Study> studies;
 };
+
+/// The section of a strip, or the one that stands for a link of any shape.
+Section section_of(const Model& model, const Flexure& flexure);
 
 /// Where an axis begins (base end) and ends (action end), as drawn.
 struct AxisEnds {

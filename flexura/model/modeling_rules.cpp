@@ -199,6 +199,28 @@ struct ModelingRules {
   }
 };
 
+/// Whether the modeling takes links of any shape: as they are, or by their compliance.
+bool takes_links(const ModelingSettings& settings) {
+  return std::holds_alternative<ContinuumSettings>(settings.kind) ||
+         std::holds_alternative<LinearSettings>(settings.kind) ||
+         std::holds_alternative<ScmbmSettings>(settings.kind);
+}
+
+/// Whether all flexures are what the modeling takes; says which is not.
+bool check_links(const Model& model, const ModelingSettings& settings, const KeyPath& path,
+                 Mistakes& mistakes) {
+  if (takes_links(settings)) return true;
+  for (const Flexure& flexure : model.flexures) {
+    if (!flexure.link) continue;
+    mistakes.add(path, fmt::format("modeling {} is for strips, with an axis and a section; flexure "
+                                   "'{}' is a mesh, which continuum takes, and linear and scmbm by "
+                                   "its compliance",
+                                   modeling_name(settings), flexure.name));
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void check_load_ratios(const std::vector<ModelingSettings>& modelings, const std::string& where,
@@ -220,7 +242,8 @@ void check_modelings(const Model& model, const std::vector<ModelingSettings>& mo
   for (std::size_t i = 0; i < modelings.size(); ++i) {
     const ModelingSettings& settings = modelings[i];
     const KeyPath entry = path / "modelings" / i;
-    std::visit(ModelingRules{model, entry, mistakes, settings.axial}, settings.kind);
+    if (check_links(model, settings, entry, mistakes))
+      std::visit(ModelingRules{model, entry, mistakes, settings.axial}, settings.kind);
     if (!(settings.tolerance > 0.0 && settings.tolerance < 1.0)) {
       mistakes.add(entry / "tolerance",
                    fmt::format("must lie between 0 and 1, is {}", settings.tolerance));

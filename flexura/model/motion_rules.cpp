@@ -37,6 +37,11 @@ struct MotionRules {
                                  "'{}' has none",
                                  modelings[m].label));
     }
+    for (const Flexure& flexure : model.flexures)
+      if (flexure.link)
+        mistakes.add(path / "kind", fmt::format("flexure '{}' is a mesh, and meshes have no masses "
+                                                "yet: studies of motion take strips",
+                                                flexure.name));
     check_load_ratios(modelings, "in motion", path, mistakes);
     check_modelings(model, modelings, reference, path, mistakes);
   }

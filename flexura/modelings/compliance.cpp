@@ -5,6 +5,8 @@
 
 #include "flexura/core/jet2.hpp"
 #include "flexura/core/quadrature.hpp"
+#include "flexura/modelings/ellipse.hpp"
+#include "flexura/modelings/link_compliance.hpp"
 #include "flexura/modelings/station_grid.hpp"
 
 namespace flexura {
@@ -17,6 +19,8 @@ int points_for(double turning) { return 12 + 2 * static_cast<int>(std::ceil(turn
 
 Eigen::Matrix3d compliance_matrix(const FlexureProperties& flexure, Vec2 at) {
   const AxisCurve& axis = flexure.axis;
+  if (flexure.compliance)
+    return shift_compliance(*flexure.compliance, axis.position(axis.length()), at);
   const std::vector<double> breaks = flexure.smooth_breaks();
   const QuadratureRule& rule = gauss_legendre(points_for(axis.turning()));
   Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
@@ -132,10 +136,21 @@ TipResponse CompliantPort::linearize(const Eigen::Vector3d& load, const double* 
   return response;
 }
 
+/// From the displacement of the end, which is fixed to the point that the matrix is about.
+std::vector<SectionState> CompliantPort::stations_of_link(const Eigen::Vector3d& load) const {
+  const AxisCurve& axis = flexure_.axis;
+  const Vec2 drawn = axis.position(axis.length()) - axis.position(0.0);
+  const Eigen::Vector3d d = compliance_ * load;
+  const Vec2 f{load[0], load[1]};
+  const Vec2 end = drawn + Vec2{d[0], d[1]} + d[2] * perp(drawn - at_);
+  return link_sections(drawn, {end, d[2]}, {f.x, f.y, load[2] + cross(at_ - drawn, f)}, true);
+}
+
 /// The linear field between base and tip, from forces in equilibrium on the flexure as drawn.
 std::vector<SectionState> CompliantPort::sections_in(const Surroundings& surroundings,
                                                      const Eigen::Vector3d& load,
                                                      std::span<const double> /*internal*/) const {
+  if (flexure_.compliance) return stations_of_link(load);
   const StationGrid grid(flexure_.axis, flexure_.smooth_breaks());
   const Vec2 f{load[0], load[1]};
   const double share = surroundings.load_factor;

@@ -52,6 +52,7 @@ class CompliantPort final : public TwoPort {
  private:
   using Load5 = Eigen::Matrix<double, 5, 1>;  // load, dead force as drawn, turned by a right angle
   void integrate_field();
+  std::vector<SectionState> stations_of_link(const Eigen::Vector3d& load) const;
 
   FlexureProperties flexure_;
   Vec2 at_;  ///< from the base end

@@ -13,7 +13,7 @@ namespace flexura {
 template <std::size_t Nodes, class Density>
 class ElementAssembly {
  public:
-  ElementAssembly(const StripMesh& mesh, const Density& density)
+  ElementAssembly(const ElementTables& mesh, const Density& density)
       : mesh_(mesh), density_(density), nodes_(mesh.nodes_per_element()) {}
 
   /// `gaps` receives the strains of the places and the enhanced ones less the independent ones,
@@ -40,7 +40,7 @@ class ElementAssembly {
 
   void add_point(std::size_t at, std::size_t g, const ElementState& state,
                  const EnhancedStrains* modes, ElementTangent& out, double* gap) {
-    const StripMesh::Map& map = mesh_.maps[at];
+    const ElementTables::Map& map = mesh_.maps[at];
     const double* dx = mesh_.by_xi.data() + g * nodes();
     const double* dy = mesh_.by_eta.data() + g * nodes();
     Vec2 by_xi, by_eta;
@@ -173,7 +173,7 @@ class ElementAssembly {
     }
   }
 
-  const StripMesh& mesh_;
+  const ElementTables& mesh_;
   const Density& density_;
   std::size_t nodes_;
   std::array<std::array<double, 8>, enhanced_modes> coupling_{};

@@ -9,7 +9,8 @@
 
 namespace flexura {
 
-/// The deformation gradient F = [g_xi g_eta] J^-1 at a quadrature point, J^-1 as in StripMesh::Map.
+/// The deformation gradient F = [g_xi g_eta] J^-1 at a quadrature point, J^-1 as in
+/// ElementTables::Map.
 struct DeformationGradient {
   double f11 = 1.0, f12 = 0.0, f21 = 0.0, f22 = 1.0;
 
@@ -54,8 +55,10 @@ inline constexpr std::size_t enhanced_modes = 4;
 /// ratio of the Jacobians, so that their mean is nothing and constant stress stays constant.
 struct EnhancedStrains {
   EnhancedStrains(const StripMesh& mesh, std::size_t ex, std::size_t ey);
+  /// Of nodes at (-1, -1), (-1, 1), (1, -1), (1, 1) in reference coordinates.
+  explicit EnhancedStrains(const std::array<Vec2, 4>& nodes);
   /// Rows e11, e22, 2 e12; a column per mode.
-  std::array<std::array<double, enhanced_modes>, 3> at(const StripMesh::Point& point,
+  std::array<std::array<double, enhanced_modes>, 3> at(const ElementPoint& point,
                                                        double jacobian) const;
 
   std::array<std::array<double, 3>, 3> carry;  ///< reference strain to the plane, at the middle
@@ -80,6 +83,21 @@ struct ElementTangent {
   std::array<double, enhanced_modes * 8> follow{};
   std::array<double, enhanced_modes> rest{};
 };
+
+/// A change of an element from its last linearization: places of its nodes there and what they move
+/// by, strains of the places less the independent ones, and how much of those gaps goes.
+struct ElementChange {
+  const Vec2* places = nullptr;
+  const Vec2* changes = nullptr;
+  const double* gaps = nullptr;
+  double residual = 0.0;
+};
+/// What enhanced strains change by, `follow` being that of ElementTangent with `rest` behind it.
+void follow_enhanced(const double* follow, const ElementChange& change, double* enhanced);
+/// What the strains of all quadrature points change by; `modes` and what enhanced strains change by
+/// may be null.
+void follow_strains(const ElementTables& tables, std::size_t element, const ElementChange& change,
+                    const EnhancedStrains* modes, const double* enhanced, double* strains);
 
 /// The mixed functional of one quadrature point,
 ///     W(e) + W'(e) : (E(places) + enhanced - e),

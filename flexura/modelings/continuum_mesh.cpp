@@ -199,24 +199,14 @@ void place_points(StripMesh& mesh) {
 }
 
 void map_points(StripMesh& mesh, const StripShape& shape) {
-  const std::size_t per = mesh.nodes_per_element();
   mesh.maps.reserve(mesh.along * mesh.across * mesh.points.size());
   for (std::size_t ex = 0; ex < mesh.along; ++ex) {
     const double half = 0.5 * (mesh.stations[ex + 1] - mesh.stations[ex]);
-    for (std::size_t ey = 0; ey < mesh.across; ++ey) {
-      for (std::size_t g = 0; g < mesh.points.size(); ++g) {
-        Vec2 by_xi, by_eta;
-        for (std::size_t a = 0; a < per; ++a) {
-          const Vec2 node = mesh.nodes[mesh.element_node(ex, ey, a)];
-          by_xi = by_xi + mesh.by_xi[g * per + a] * node;
-          by_eta = by_eta + mesh.by_eta[g * per + a] * node;
-        }
-        const double area = cross(by_xi, by_eta);
-        const double s = mesh.stations[ex] + half * (1.0 + mesh.points[g].xi);
-        mesh.maps.push_back({{by_eta.y / area, -by_eta.x / area, -by_xi.y / area, by_xi.x / area},
-                             area * mesh.points[g].weight * shape.width(s)});
-      }
-    }
+    for (std::size_t ey = 0; ey < mesh.across; ++ey)
+      mesh.map_element([&](std::size_t a) { return mesh.nodes[mesh.element_node(ex, ey, a)]; },
+                       [&](const StripMesh::Point& point) {
+                         return shape.width(mesh.stations[ex] + half * (1.0 + point.xi));
+                       });
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "flexura/core/vec2.hpp"
 #include "flexura/geometry/axis_curve.hpp"
+#include "flexura/geometry/plane_elements.hpp"
 #include "flexura/geometry/section.hpp"
 #include "flexura/model/modeling_settings.hpp"
 
@@ -42,28 +43,10 @@ class LagrangeLine {
 /// Lagrange polynomials through the points of a Gauss rule, at x.
 std::vector<double> through_gauss(std::size_t count, double x);
 
-/// A flexure's outline as quadrilaterals: `along` columns of elements from the base end to the
-/// action end and `across` elements in each, of Gauss-Lobatto nodes. Node (column, row) is number
-/// column * rows + row; columns ascend along the axis and rows along its normal. Places count from
-/// the base end, axes as drawn.
-struct StripMesh {
-  std::size_t along = 0;
-  std::size_t across = 0;
-  LagrangeLine line{1};        ///< along
-  LagrangeLine cross_line{1};  ///< across
-  std::size_t columns = 0;     ///< of nodes
-  std::size_t rows = 0;
-  std::vector<double> stations;  ///< arc lengths between elements
-  std::vector<Vec2> nodes;
-  double length = 0.0;  ///< of the axis
-  Vec2 chord;           ///< from base end to action end
-
-  /// Quadrature points of an element: reference places, and of every node value and slopes there.
-  struct Point {
-    double xi = 0.0;
-    double eta = 0.0;
-    double weight = 0.0;
-  };
+/// What elements of one kind need to know of each other's likes.
+struct ElementTables {
+  /// Quadrature points of an element, and of every node value and slopes there.
+  using Point = ElementPoint;
   std::vector<Point> points;
   std::vector<double> values;  ///< [point][node]
   std::vector<double> by_xi;
@@ -79,8 +62,41 @@ struct StripMesh {
   };
   std::vector<Map> maps;
 
+  std::size_t nodes_per_element() const { return values.size() / points.size(); }
+  /// Maps one more element, whose nodes are there; the depth is that at a quadrature point.
+  template <class Place, class Depth>
+  void map_element(const Place& place, const Depth& depth) {
+    for (std::size_t g = 0; g < points.size(); ++g) {
+      Vec2 xi, eta;
+      const std::size_t per = nodes_per_element();
+      for (std::size_t a = 0; a < per; ++a) {
+        xi = xi + by_xi[g * per + a] * place(a);
+        eta = eta + by_eta[g * per + a] * place(a);
+      }
+      const double area = cross(xi, eta);
+      maps.push_back({{eta.y / area, -eta.x / area, -xi.y / area, xi.x / area},
+                      area * points[g].weight * depth(points[g])});
+    }
+  }
+};
+
+/// A flexure's outline as quadrilaterals: `along` columns of elements from the base end to the
+/// action end and `across` elements in each, of Gauss-Lobatto nodes. Node (column, row) is number
+/// column * rows + row; columns ascend along the axis and rows along its normal. Places count from
+/// the base end, axes as drawn.
+struct StripMesh : ElementTables {
+  std::size_t along = 0;
+  std::size_t across = 0;
+  LagrangeLine line{1};        ///< along
+  LagrangeLine cross_line{1};  ///< across
+  std::size_t columns = 0;     ///< of nodes
+  std::size_t rows = 0;
+  std::vector<double> stations;  ///< arc lengths between elements
+  std::vector<Vec2> nodes;
+  double length = 0.0;  ///< of the axis
+  Vec2 chord;           ///< from base end to action end
+
   std::size_t node(std::size_t column, std::size_t row) const { return column * rows + row; }
-  std::size_t nodes_per_element() const { return (line.order() + 1) * (cross_line.order() + 1); }
   /// Node of an element, numbered column by column.
   std::size_t element_node(std::size_t ex, std::size_t ey, std::size_t a) const {
     const std::size_t per = cross_line.order() + 1;

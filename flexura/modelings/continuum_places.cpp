@@ -101,46 +101,26 @@ void ContinuumPort::follow_strains(std::size_t side, const double* scratch, doub
                                    const std::vector<Vec2>& changes, double* step) const {
   const StripMesh& mesh = strip_->mesh;
   const std::size_t per = mesh.nodes_per_element();
-  const std::size_t points = mesh.points.size();
+  const std::size_t strains_per = 3 * mesh.points.size();
   const auto* places = reinterpret_cast<const Vec2*>(scratch + places_);
+  std::vector<Vec2> here(per), moved(per);
   for (std::size_t ex = sides_[side].first_element; ex < sides_[side].end_element; ++ex) {
     for (std::size_t ey = 0; ey < mesh.across; ++ey) {
       const std::size_t e = mesh.element(ex, ey);
-      std::array<double, enhanced_modes> enhanced{};
-      if (strip_->enhanced) {
-        const double* follow = scratch + follow_ + follow_size * e;
-        for (std::size_t m = 0; m < enhanced_modes; ++m) {
-          enhanced[m] = -residual * follow[8 * enhanced_modes + m];
-          for (std::size_t a = 0; a < 4; ++a) {
-            const Vec2 change = changes[mesh.element_node(ex, ey, a)];
-            enhanced[m] -= follow[8 * m + 2 * a] * change.x + follow[8 * m + 2 * a + 1] * change.y;
-          }
-          step[strip_->unknowns.enhanced + enhanced_modes * e + m] = enhanced[m];
-        }
+      for (std::size_t a = 0; a < per; ++a) {
+        here[a] = places[mesh.element_node(ex, ey, a)];
+        moved[a] = changes[mesh.element_node(ex, ey, a)];
       }
-      const EnhancedStrains modes(mesh, ex, ey);
-      for (std::size_t g = 0; g < points; ++g) {
-        const StripMesh::Map& map = mesh.maps[e * points + g];
-        Vec2 now[2], change[2];
-        for (std::size_t a = 0; a < per; ++a) {
-          const std::size_t node = mesh.element_node(ex, ey, a);
-          const double d[2] = {mesh.by_xi[g * per + a], mesh.by_eta[g * per + a]};
-          for (std::size_t k = 0; k < 2; ++k) {
-            now[k] = now[k] + d[k] * places[node];
-            change[k] = change[k] + d[k] * changes[node];
-          }
-        }
-        const StrainSlopes b =
-            strain_slopes(deformation_gradient(now[0], now[1], map.inverse), map.inverse);
-        double* strains = step + strip_->unknowns.strains + 3 * (e * points + g);
-        const double* gaps = scratch + gaps_ + 3 * (e * points + g);
-        for (std::size_t i = 0; i < 3; ++i)
-          strains[i] = residual * gaps[i] + b[i][0] * change[0].x + b[i][1] * change[1].x +
-                       b[i][2] * change[0].y + b[i][3] * change[1].y;
-        if (!strip_->enhanced) continue;
-        const auto extra = modes.at(mesh.points[g], map.jacobian());
-        for (std::size_t i = 0; i < 3; ++i)
-          for (std::size_t m = 0; m < enhanced_modes; ++m) strains[i] += extra[i][m] * enhanced[m];
+      const ElementChange change{here.data(), moved.data(), scratch + gaps_ + strains_per * e,
+                                 residual};
+      double* strains = step + strip_->unknowns.strains + strains_per * e;
+      if (strip_->enhanced) {
+        double* enhanced = step + strip_->unknowns.enhanced + enhanced_modes * e;
+        const EnhancedStrains modes(mesh, ex, ey);
+        follow_enhanced(scratch + follow_ + follow_size * e, change, enhanced);
+        flexura::follow_strains(mesh, e, change, &modes, enhanced, strains);
+      } else {
+        flexura::follow_strains(mesh, e, change, nullptr, nullptr, strains);
       }
     }
   }

@@ -17,7 +17,7 @@ SectionInertia FlexureInertia::at(double s) const {
 FlexureInertia flexure_inertia(const Model& model, const Flexure& flexure,
                                const InertiaSettings& settings, bool shear) {
   return {model.materials[flexure.material].density.value_or(0.0),
-          model.sections[flexure.section].shape,
+          section_of(model, flexure),
           AxisCurve(flexure.axis).length(),
           settings.translation,
           settings.rotary.value_or(shear),

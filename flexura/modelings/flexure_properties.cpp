@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flexura/core/quadrature.hpp"
+#include "flexura/modelings/link_compliance.hpp"
 
 namespace flexura {
 namespace {
@@ -104,7 +105,7 @@ std::vector<double> FlexureProperties::smooth_breaks() const {
 FlexureProperties flexure_properties(const Model& model, const Flexure& flexure, bool axial,
                                      bool shear) {
   const Material& material = model.materials[flexure.material];
-  const Section& shape = model.sections[flexure.section].shape;
+  const Section shape = section_of(model, flexure);
   const SectionProperties section = section_properties(shape);
   const double e = material.youngs_modulus;
   const double g = e / (2.0 * (1.0 + material.poissons_ratio));
@@ -112,6 +113,10 @@ FlexureProperties flexure_properties(const Model& model, const Flexure& flexure,
                                axial ? 1.0 / (e * section.area) : 0.0,
                                shear ? 1.0 / (g * section.shear_area) : 0.0};
   properties.area = section.area;
+  if (flexure.link) {
+    properties.compliance = link_compliance(*flexure.link, material);
+    properties.bending_stiffness = properties.axis.length() / (*properties.compliance)(2, 2);
+  }
   if (section_varies(shape)) {
     const double length = properties.axis.length();
     VaryingSection varying{shape, e, g, graded_breaks(shape, length)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Dense>
 #include <optional>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct FlexureProperties {
 
   double area = 0.0;  ///< mean
   FlexureField field = {};
+  /// Of a link of any shape: displacement of its action end per load there; the numbers above are
+  /// then scales only.
+  std::optional<Eigen::Matrix3d> compliance = std::nullopt;
 
   Local at(double s) const;
   /// Dead force per length at s, and on all that lies ahead of s; per load factor.

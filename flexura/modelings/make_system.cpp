@@ -7,6 +7,7 @@
 #include "flexura/modelings/beam.hpp"
 #include "flexura/modelings/compliance.hpp"
 #include "flexura/modelings/continuum.hpp"
+#include "flexura/modelings/continuum_link.hpp"
 #include "flexura/modelings/exact.hpp"
 #include "flexura/modelings/flexure_properties.hpp"
 #include "flexura/modelings/prbm.hpp"
@@ -24,6 +25,7 @@ struct PortMaker {
   const FlexureProperties& flexure;
   const Material& material;
   const StripShape& shape;
+  const MeshLink* link;  // null for a strip
   double tolerance;
   std::optional<double> load_ratio;
 
@@ -51,6 +53,7 @@ struct PortMaker {
     return {make_bcm_port(flexure, settings), end()};
   }
   PlacedPort operator()(const ContinuumSettings& settings) const {
+    if (link) return {make_link_port(*link, material, settings), end()};
     return {make_continuum_port(shape, material, settings, tolerance), end()};
   }
 };
@@ -109,8 +112,12 @@ SystemLayout make_layout(const Model& model, const std::vector<Load>& loads,
         flexure_properties(model, flexure, settings.axial, settings.shear);
     properties.field = field_on(model, k, fields);
     const auto ratio = load_ratios.empty() ? std::nullopt : load_ratios[k];
-    const StripShape shape(properties.axis, model.sections[flexure.section].shape);
-    const PortMaker maker{properties, model.materials[flexure.material], shape, settings.tolerance,
+    const StripShape shape(properties.axis, section_of(model, flexure));
+    const PortMaker maker{properties,
+                          model.materials[flexure.material],
+                          shape,
+                          flexure.link.get(),
+                          settings.tolerance,
                           ratio};
     PlacedPort placed = std::visit(maker, settings.kind);
     const Vec2 end = properties.axis.position(properties.axis.length());

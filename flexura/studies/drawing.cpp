@@ -46,18 +46,24 @@ Drawing make_drawing(const Model& model) {
     drawn.action = model.bodies[flexure.action].name;
     drawn.pinned_base = flexure.pinned_base;
     drawn.pinned_action = flexure.pinned_action;
-    drawn.depth = section_properties(model.sections[flexure.section].shape).depth;
+    const Section section = section_of(model, flexure);
+    drawn.depth = section_properties(section).depth;
     for (int k = 0; k < station_count; ++k)
       drawn.axis.push_back(axis.position(axis.length() * k / (station_count - 1)));
-    const Section& section = model.sections[flexure.section].shape;
+    drawing.bodies[flexure.base].ends.push_back(drawn.axis.front());
+    drawing.bodies[flexure.action].ends.push_back(drawn.axis.back());
+    if (flexure.link) {
+      drawn.depth = 0.0;  // the line round it, thin
+      drawn.axis.clear();
+      for (const std::size_t n : border_of(flexure.link->mesh))
+        drawn.axis.push_back(flexure.link->mesh.nodes[n]);
+    }
     if (section_varies(section)) {
       for (int k = 0; k < station_count; ++k) {
         const double s = axis.length() * k / (station_count - 1);
         drawn.depths.push_back(section_properties(section, s, axis.length()).depth);
       }
     }
-    drawing.bodies[flexure.base].ends.push_back(drawn.axis.front());
-    drawing.bodies[flexure.action].ends.push_back(drawn.axis.back());
     drawing.flexures.push_back(std::move(drawn));
   }
   for (const Spring& spring : model.springs) {

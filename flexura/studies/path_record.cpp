@@ -38,16 +38,19 @@ Vec2 drawn_place(const DrawnSections& sections, std::size_t k) {
   return sections.before.empty() ? Vec2{} : sections.before[k].pose.position;
 }
 
-/// The largest fibre stress at the stations of a flexure.
+/// The largest fibre stress at the stations of a flexure; 0 in links of any shape, which have no
+/// fibres.
 class FibreStress {
  public:
   FibreStress(const Model& model, std::size_t flexure)
-      : shape_(model.sections[model.flexures[flexure].section].shape),
+      : has_fibres_(!model.flexures[flexure].link),
+        shape_(section_of(model, model.flexures[flexure])),
         varies_(section_varies(shape_)),
         length_(AxisCurve(model.flexures[flexure].axis).length()),
         section_(section_properties(shape_)) {}
 
   double operator()(const SectionState& state, double s) const {
+    if (!has_fibres_) return 0.0;
     const SectionProperties section = varies_ ? section_properties(shape_, s, length_) : section_;
     const double modulus = section.second_moment / (0.5 * section.depth);
     return std::abs(state.axial_force) / section.area + std::abs(state.bending_moment) / modulus;
@@ -66,7 +69,8 @@ class FibreStress {
   }
 
  private:
-  const Section& shape_;
+  bool has_fibres_;
+  Section shape_;
   bool varies_;
   double length_;
   SectionProperties section_;
@@ -142,7 +146,8 @@ PathResult make_path_names(const Model& model) {
   }
   for (const Flexure& flexure : model.flexures) {
     names.flexures.push_back(flexure.name);
-    names.strengths.push_back(model.materials[flexure.material].strength);
+    names.strengths.push_back(flexure.link ? std::nullopt
+                                           : model.materials[flexure.material].strength);
   }
   return names;
 }

@@ -41,6 +41,7 @@ TEST(Schema, NamesTheReadersKeys) {
       {"general", vocabulary::general()},
       {"body", vocabulary::body()},
       {"flexure", vocabulary::flexure()},
+      {"mesh", vocabulary::mesh()},
       {"spring", vocabulary::spring()},
       {"joint", vocabulary::joint()},
       {"prismatic", vocabulary::prismatic()},

@@ -5,10 +5,6 @@
 
 namespace flexura::testing {
 
-inline ModelingSettings continuum(const ContinuumSettings& settings, double tolerance = 1e-11) {
-  return settings_of(settings, "continuum", tolerance);
-}
-
 /// Stress fields at full load, reached in one step or more.
 inline std::vector<FieldState::OfFlexure> final_fields(const Model& model,
                                                        const std::vector<Load>& loads,

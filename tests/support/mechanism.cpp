@@ -55,6 +55,12 @@ Mechanism& Mechanism::flexure(const std::string& base, const std::string& action
   return *this;
 }
 
+Mechanism& Mechanism::link(const std::string& base, const std::string& action, MeshLink shape) {
+  flexure(base, action, link_axis(shape));
+  model_.flexures.back().link = std::make_shared<const MeshLink>(std::move(shape));
+  return *this;
+}
+
 Mechanism& Mechanism::pin_base() {
   model_.flexures.back().pinned_base = true;
   return *this;

@@ -19,6 +19,8 @@ class Mechanism {
   Mechanism& centre(Vec2 at);
   Mechanism& point(const std::string& name, Vec2 at);
   Mechanism& flexure(const std::string& base, const std::string& action, const AxisShape& axis);
+  /// A link of any shape.
+  Mechanism& link(const std::string& base, const std::string& action, MeshLink shape);
   /// On the last flexure that was added.
   Mechanism& pin_base();
   Mechanism& pin_action();

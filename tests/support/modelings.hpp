@@ -50,8 +50,8 @@ inline ModelingSettings bcm(int elements = 1) {
   return settings_of(BcmSettings{elements}, "bcm", 1e-11);
 }
 
-inline ModelingSettings continuum(ContinuumSettings settings) {
-  return settings_of(settings, "continuum", 1e-11);
+inline ModelingSettings continuum(const ContinuumSettings& settings, double tolerance = 1e-11) {
+  return settings_of(settings, "continuum", tolerance);
 }
 /// Elements of one order both ways.
 inline ModelingSettings continuum(int elements, int across, int order) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace flexura {
+
+/// The text of a file, or why it cannot be read.
+struct TextReading {
+  std::string text;
+  std::string error;
+};
+
+/// A file of at most `longest` bytes. `shown` is how the user wrote its name, for messages.
+TextReading read_text_file(const std::filesystem::path& path, const std::string& shown,
+                           std::size_t longest);
+
+/// A part of a file for a message: not long, and nothing that a terminal would act on.
+std::string shown_text(std::string_view text);
+
+}  // namespace flexura

@@ -1,0 +1,113 @@
+#include "flexura/modelings/continuum_link_mesh.hpp"
+
+#include <algorithm>
+
+namespace flexura {
+namespace {
+
+/// Where the a-th node of a block's element stands in the mesh's element.
+std::size_t own_node(ElementKind kind, std::size_t a) {
+  constexpr std::size_t columns[4] = {0, 3, 1, 2};  // (-1, -1), (-1, 1), (1, -1), (1, 1)
+  return kind == ElementKind::quad4 ? columns[a] : a;
+}
+
+ElementTables make_tables(ElementKind kind) {
+  ElementTables tables;
+  tables.points = quadrature_of(kind);
+  for (const ElementPoint& point : tables.points) {
+    const ShapeValues shape = shape_values(kind, {point.xi, point.eta});
+    for (std::size_t a = 0; a < nodes_of(kind); ++a) {
+      const std::size_t own = own_node(kind, a);
+      tables.values.push_back(shape.values[own]);
+      tables.by_xi.push_back(shape.by_xi[own]);
+      tables.by_eta.push_back(shape.by_eta[own]);
+    }
+  }
+  return tables;
+}
+
+}  // namespace
+
+LinkMesh::LinkMesh(const MeshLink& link) {
+  const LineAxis axis = link_axis(link);
+  chord = axis.end - axis.start;
+  length = norm(chord);
+  for (const Vec2 place : link.mesh.nodes) nodes.push_back(place - axis.start);
+  unknown.assign(nodes.size(), 0);
+  for (const std::size_t n : link.base) unknown[n] = at_base;
+  for (const std::size_t n : link.action) unknown[n] = at_action;
+  for (std::size_t& first : unknown) {
+    if (first != 0) continue;
+    first = pose;
+    pose += 2;
+  }
+  add_blocks(link.mesh);
+  for (LinkBlock& block : blocks) {
+    const std::size_t per = block.tables.nodes_per_element();
+    for (std::size_t e = 0; e < block.elements(); ++e)
+      block.tables.map_element([&](std::size_t a) { return nodes[block.nodes[e * per + a]]; },
+                               [&](const ElementPoint&) { return link.depth; });
+  }
+  make_pattern();
+}
+
+void LinkMesh::add_blocks(const PlaneMesh& mesh) {
+  for (const ElementKind kind : {ElementKind::triangle3, ElementKind::triangle6, ElementKind::quad4,
+                                 ElementKind::quad8, ElementKind::quad9}) {
+    LinkBlock block{kind, make_tables(kind), {}, elements, points};
+    for (const PlaneMesh::Element& element : mesh.elements)
+      for (std::size_t a = 0; element.kind == kind && a < nodes_of(kind); ++a)
+        block.nodes.push_back(mesh.node(element, own_node(kind, a)));
+    if (block.nodes.empty()) continue;
+    elements += block.elements();
+    points += block.elements() * block.tables.points.size();
+    blocks.push_back(std::move(block));
+  }
+}
+
+void LinkMesh::element_unknowns(const LinkBlock& block, std::size_t element,
+                                std::vector<std::size_t>& unknowns) const {
+  unknowns.clear();
+  const std::size_t per = block.tables.nodes_per_element();
+  bool moved = false;
+  for (std::size_t a = 0; a < per; ++a) {
+    const std::size_t first = unknown[block.nodes[element * per + a]];
+    moved = moved || first == at_action;
+    if (first >= at_action) continue;
+    unknowns.push_back(first);
+    unknowns.push_back(first + 1);
+  }
+  for (std::size_t i = 0; moved && i < 3; ++i) unknowns.push_back(pose + i);
+}
+
+void LinkMesh::make_pattern() {
+  using Entry = Eigen::Triplet<double>;
+  std::vector<Entry> entries;
+  std::vector<std::size_t> unknowns;
+  const auto for_pairs = [&](const auto& use) {
+    for (const LinkBlock& block : blocks)
+      for (std::size_t e = 0; e < block.elements(); ++e) {
+        element_unknowns(block, e, unknowns);
+        first_place.push_back(places.size());
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          for (std::size_t j = 0; j <= i; ++j) {
+            const auto [low, high] = std::minmax(unknowns[i], unknowns[j]);
+            use(static_cast<int>(high), static_cast<int>(low));
+          }
+      }
+  };
+  for_pairs([&](int row, int column) { entries.emplace_back(row, column, 0.0); });
+  const auto n = static_cast<Eigen::Index>(size());
+  for (int i = 0; i < static_cast<int>(size()); ++i) entries.emplace_back(i, i, 0.0);
+  pattern.resize(n, n);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  pattern.makeCompressed();
+  first_place.clear();
+  for_pairs([&](int row, int column) {
+    const int* begin = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column];
+    const int* end = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column + 1];
+    places.push_back(static_cast<int>(std::lower_bound(begin, end, row) - pattern.innerIndexPtr()));
+  });
+}
+
+}  // namespace flexura

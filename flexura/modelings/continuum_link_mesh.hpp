@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Sparse>
+#include <cstddef>
+#include <vector>
+
+#include "flexura/geometry/mesh_link.hpp"
+#include "flexura/modelings/continuum_mesh.hpp"
+
+namespace flexura {
+
+/// The elements of one kind in a link: their tables, and their nodes, one element after the other.
+/// Four-node elements have theirs in the order of EnhancedStrains.
+struct LinkBlock {
+  ElementKind kind = ElementKind::triangle3;
+  ElementTables tables;
+  std::vector<std::size_t> nodes;
+  std::size_t first_element = 0;  ///< of all elements of the link
+  std::size_t first_point = 0;    ///< of all quadrature points
+
+  std::size_t elements() const { return nodes.size() / tables.nodes_per_element(); }
+};
+
+/// A link's mesh, its unknowns and the pattern of its tangent, all worked out before any load.
+/// Places count from the base end. Unknowns: displacements of the nodes that are not attached, over
+/// the length, then the pose of the action end (x and y over the length, rotation).
+struct LinkMesh {
+  explicit LinkMesh(const MeshLink& link);
+
+  static constexpr std::size_t at_base = static_cast<std::size_t>(-1);
+  static constexpr std::size_t at_action = static_cast<std::size_t>(-2);
+
+  std::vector<Vec2> nodes;
+  std::vector<std::size_t> unknown;  ///< first of a node, or at which end it is
+  std::vector<LinkBlock> blocks;
+  double length = 0.0;
+  Vec2 chord;            ///< from base end to action end
+  std::size_t pose = 0;  ///< first unknown of the action end: the last three
+  std::size_t elements = 0;
+  std::size_t points = 0;
+  std::size_t size() const { return pose + 3; }
+
+  Eigen::SparseMatrix<double> pattern;  ///< lower triangle
+  /// Where each element's lower triangle, row by row, goes in the values of `pattern`, one element
+  /// after the other, by the unknowns of `element_unknowns`; `first_place` says where it begins.
+  std::vector<std::size_t> first_place;
+  std::vector<int> places;
+
+  /// Unknowns of one element, the action end's pose behind those of its nodes.
+  void element_unknowns(const LinkBlock& block, std::size_t element,
+                        std::vector<std::size_t>& unknowns) const;
+
+ private:
+  void add_blocks(const PlaneMesh& mesh);
+  void make_pattern();
+};
+
+}  // namespace flexura
