@@ -118,7 +118,11 @@ class ReportTest(PageTest):
         return self.browser.script("""
           const sheet = document.querySelector('.view-canvas');
           if (!sheet) return [0, 0];
-          const { data } = sheet.getContext('2d').getImageData(0, 0, sheet.width, sheet.height);
+          const copy = document.createElement('canvas');
+          [copy.width, copy.height] = [sheet.width, sheet.height];
+          const context = copy.getContext('2d', { willReadFrequently: true });
+          context.drawImage(sheet, 0, 0);
+          const { data } = context.getImageData(0, 0, sheet.width, sheet.height);
           const hues = new Set();
           let count = 0;
           for (let i = 0; i < data.length; i += 4) {

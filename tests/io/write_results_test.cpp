@@ -111,9 +111,9 @@ TEST_F(WriteResults, LeavesNothingHalfWrittenWhenTheDiskIsFull) {
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   rlimit limited = before;
-  limited.rlim_cur = 60'000;
+  limited.rlim_cur = 400'000;
   setrlimit(RLIMIT_FSIZE, &limited);
-  const WriteOutcome outcome = write_results(result_, std::string(100'000, 'x'), top_);
+  const WriteOutcome outcome = write_results(result_, std::string(500'000, 'x'), top_);
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_NE(outcome.error.find("report.html"), std::string::npos) << outcome.error;
   EXPECT_NE(outcome.error.find("File too large"), std::string::npos) << outcome.error;
