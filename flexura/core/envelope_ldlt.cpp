@@ -4,15 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "flexura/core/by_processor.hpp"
 #include "flexura/core/ldlt.hpp"
-
-// A loader that picks a function by what the processor can do, and sanitizers, do not go together.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define FLEXURA_BY_PROCESSOR __attribute__((target_clones("default", "arch=haswell")))
-#else
-#define FLEXURA_BY_PROCESSOR
-#endif
 
 namespace flexura {
 namespace {

@@ -29,10 +29,24 @@ class ElementAssembly {
     for (std::size_t g = 0; g < mesh_.points.size(); ++g)
       add_point(element * mesh_.points.size() + g, g, state, modes, out,
                 gaps ? gaps + 3 * g : nullptr);
+    if constexpr (Nodes == 0) interleave(out);
     if (modes) eliminate_enhanced(out);
   }
 
  private:
+  /// From rows of all x and then all y to pairs of both, as nodes are numbered.
+  void interleave(ElementTangent& out) {
+    row_.resize(2 * nodes());
+    for (std::size_t r = 0; r < 2 * nodes(); ++r) {
+      double* row = out.stiffness.data() + r * 2 * nodes();
+      std::copy_n(row, 2 * nodes(), row_.begin());
+      for (std::size_t c = 0; c <= r / 2; ++c) {
+        row[2 * c] = row_[c];
+        row[2 * c + 1] = row_[nodes() + c];
+      }
+    }
+  }
+
   std::size_t nodes() const {
     if constexpr (Nodes > 0) return Nodes;
     return nodes_;
@@ -109,6 +123,10 @@ class ElementAssembly {
       }
       double* row_x = out.stiffness.data() + 2 * a * stride;
       double* row_y = row_x + stride;
+      if constexpr (Nodes == 0) {
+        add_rows(x, y, dx, dy, a + 1, row_x, row_y, nodes());
+        continue;
+      }
       for (std::size_t c = 0; c <= a; ++c) {
         row_x[2 * c] += x[0] * dx[c] + x[1] * dy[c];
         row_x[2 * c + 1] += x[2] * dx[c] + x[3] * dy[c];
@@ -176,6 +194,7 @@ class ElementAssembly {
   const ElementTables& mesh_;
   const Density& density_;
   std::size_t nodes_;
+  std::vector<double> row_;
   std::array<std::array<double, 8>, enhanced_modes> coupling_{};
   std::array<std::array<double, enhanced_modes>, enhanced_modes> own_{};
 };

@@ -1,6 +1,22 @@
 #include "flexura/modelings/continuum_element.hpp"
 
+#include "flexura/core/by_processor.hpp"
+
 namespace flexura {
+
+FLEXURA_BY_PROCESSOR void add_rows(const double (&x)[4], const double (&y)[4],
+                                   const double* __restrict dx, const double* __restrict dy,
+                                   std::size_t count, double* __restrict row_x,
+                                   double* __restrict row_y, std::size_t apart) {
+  double* __restrict row_xy = row_x + apart;
+  double* __restrict row_yy = row_y + apart;
+  for (std::size_t c = 0; c < count; ++c) {
+    row_x[c] += x[0] * dx[c] + x[1] * dy[c];
+    row_xy[c] += x[2] * dx[c] + x[3] * dy[c];
+    row_y[c] += y[0] * dx[c] + y[1] * dy[c];
+    row_yy[c] += y[2] * dx[c] + y[3] * dy[c];
+  }
+}
 
 EnhancedStrains::EnhancedStrains(const StripMesh& mesh, std::size_t ex, std::size_t ey)
     : EnhancedStrains(std::array<Vec2, 4>{

@@ -112,6 +112,11 @@ struct PointEnergy {
   std::array<std::array<double, 3>, 3> moduli;
 };
 
+/// Adds a quadrature point's share to the two rows of a node: by x of `count` nodes, and `apart`
+/// doubles behind by y; `x` and `y` are the rows' slopes by (g_xi.x, g_eta.x, g_xi.y, g_eta.y).
+void add_rows(const double (&x)[4], const double (&y)[4], const double* dx, const double* dy,
+              std::size_t count, double* row_x, double* row_y, std::size_t apart);
+
 template <class Density>
 PointEnergy point_energy(const Density& density, const double* e,
                          const std::array<double, 3>& total) {
