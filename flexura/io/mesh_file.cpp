@@ -31,6 +31,7 @@ std::size_t MeshBuilder::node(long label, std::size_t line) const {
 
 void MeshBuilder::keep(long label, const std::vector<long>& nodes, std::size_t line) {
   std::vector<std::size_t> own;
+  own.reserve(nodes.size());
   for (const long n : nodes) own.push_back(node(n, line));
   if (!nodes_of_.emplace(label, std::move(own)).second)
     throw MeshMistake(line, fmt::format("element {} is there twice", label));

@@ -229,7 +229,8 @@ bool SparseSolver::grow_until_definite() {
 int SparseSolver::missed(const BlockLanczos& lanczos) const {
   const Eigen::VectorXd& values = lanczos.values();
   double edge = 1.0 / values[count_ - 1];  // of square + shift
-  for (double gap = 1e-6; gap < 0.5; gap *= 2.0) {
+  double gap = 1e-6;
+  for (int doubled = 0; doubled < 19; ++doubled, gap *= 2.0) {
     edge = (1.0 - gap) / values[count_ - 1];
     const auto is_near = [&](double value) { return std::abs(value * edge - 1.0) < 0.1 * gap; };
     if (std::none_of(values.begin(), values.begin() + count_, is_near)) break;
@@ -300,13 +301,14 @@ Vibrations SparseSolver::run() {
   while (descend()) {
   }
   squares_ = (squares_.array().abs() < nothing * shift_).select(0.0, squares_);
-  for (auto higher = above_.rbegin(); higher != above_.rend(); ++higher) {
+  std::reverse(above_.begin(), above_.end());
+  for (const auto& higher : above_) {
     const Eigen::VectorXd squares = squares_;
     const Eigen::MatrixXd shapes = shapes_;
-    squares_.resize(squares.size() + higher->squares.size());
-    squares_ << squares, higher->squares;
+    squares_.resize(squares.size() + higher.squares.size());
+    squares_ << squares, higher.squares;
     shapes_.resize(shapes.rows(), squares_.size());
-    shapes_ << shapes, higher->shapes;
+    shapes_ << shapes, higher.shapes;
   }
   modes.squares = squares_;
   modes.shapes = shapes_;
