@@ -218,6 +218,16 @@ Needs needs_of(double tolerance) {
   return {6, 4, 0.5, 0.2, 0.35};
 }
 
+/// One for strips; more where the outline is deep for its length, as beside a notch, since stress
+/// leaves the corners there.
+int elements_across(const StripShape& shape) {
+  constexpr int looks = 40;
+  double deepest = 0.0;
+  for (int k = 0; k <= looks; ++k)
+    deepest = std::max(deepest, shape.thickness(shape.axis.length() * k / looks));
+  return std::clamp(static_cast<int>(std::ceil(3.0 * deepest / shape.axis.length())), 1, 4);
+}
+
 }  // namespace
 
 StripMesh make_strip_mesh(const StripShape& shape, const ContinuumSettings& settings,
@@ -233,7 +243,8 @@ StripMesh make_strip_mesh(const StripShape& shape, const ContinuumSettings& sett
                       ? even_stations(shape.breaks(), static_cast<std::size_t>(*settings.elements))
                       : graded_stations(shape, needs);
   mesh.along = mesh.stations.size() - 1;
-  mesh.across = static_cast<std::size_t>(settings.across.value_or(order_across == 1 ? 8 : 1));
+  mesh.across = static_cast<std::size_t>(
+      settings.across.value_or(order_across == 1 ? 8 : elements_across(shape)));
   mesh.columns = mesh.along * static_cast<std::size_t>(order) + 1;
   mesh.rows = mesh.across * static_cast<std::size_t>(order_across) + 1;
   mesh.length = shape.axis.length();
