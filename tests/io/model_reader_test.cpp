@@ -74,9 +74,10 @@ TEST(ArcChain, LoadsAndModelings) {
   EXPECT_EQ(lc1.loads[0].body, 3u);
   EXPECT_EQ(lc1.loads[0].point, 0u);
   EXPECT_EQ(lc1.loads[0].force, (Vec2{1e-3, 0.0}));
-  ASSERT_EQ(lc1.modelings.size(), 4u);
+  ASSERT_EQ(lc1.modelings.size(), 5u);
   EXPECT_EQ(lc1.modelings[1].label, "scmbm");
-  EXPECT_EQ(lc1.reference, 3u);
+  EXPECT_EQ(lc1.modelings[4].label, "continuum");
+  EXPECT_EQ(lc1.reference, 4u);
   const auto& lc2 = std::get<PathStudy>(model.studies[4].kind);
   EXPECT_FALSE(lc2.loads.at(0).point.has_value());
   EXPECT_EQ(lc2.loads.at(0).moment, -1e-2);
