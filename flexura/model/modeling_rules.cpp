@@ -168,6 +168,7 @@ struct ModelingRules {
     between("across", continuum.across, 1, 200);
     between("order", continuum.order, 1, 8);
     between("order_across", continuum.order_across, 1, 8);
+    refuse_giants(continuum);
     for (const Flexure& flexure : model.flexures) {
       refuse_folds(flexure);
       if (flexure.section < model.sections.size() &&
@@ -176,6 +177,20 @@ struct ModelingRules {
                                        "width; '{}' is round",
                                        flexure.name));
     }
+  }
+
+  /// What would only end when the memory does.
+  void refuse_giants(const ContinuumSettings& continuum) const {
+    constexpr double most = 3e6;
+    const int order = continuum.order.value_or(2);
+    const double columns = static_cast<double>(order) * continuum.elements.value_or(50);
+    const double rows =
+        static_cast<double>(continuum.order_across.value_or(order)) * continuum.across.value_or(1);
+    const double unknowns = 2.0 * columns * (rows + 1.0);
+    if (unknowns > most)
+      mistakes.add(path, fmt::format("every flexure would have {:.0f} million unknowns; {:.0f} "
+                                     "million are the most",
+                                     1e-6 * unknowns, 1e-6 * most));
   }
 
   /// Where the axis turns within half the thickness, the inner side of the outline runs back.
