@@ -3,27 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexura/core/lagrange.hpp"
 #include "flexura/core/quadrature.hpp"
 
 namespace flexura {
-namespace {
-
-/// Derivatives at x of the Lagrange polynomials through `places`.
-std::vector<double> lagrange_slopes(const std::vector<double>& places, double x) {
-  std::vector<double> slopes(places.size(), 0.0);
-  for (std::size_t a = 0; a < places.size(); ++a) {
-    for (std::size_t left_out = 0; left_out < places.size(); ++left_out) {
-      if (left_out == a) continue;
-      double product = 1.0 / (places[a] - places[left_out]);
-      for (std::size_t b = 0; b < places.size(); ++b)
-        if (b != a && b != left_out) product *= (x - places[b]) / (places[a] - places[b]);
-      slopes[a] += product;
-    }
-  }
-  return slopes;
-}
-
-}  // namespace
 
 BeamMesh::BeamMesh(const AxisCurve& axis, int element_count, int element_order)
     : elements(static_cast<std::size_t>(element_count)),
@@ -56,13 +39,7 @@ BeamMesh::BeamMesh(const AxisCurve& axis, int element_count, int element_order)
   }
 }
 
-std::vector<double> BeamMesh::shape_at(double x) const {
-  std::vector<double> values(order + 1, 1.0);
-  for (std::size_t a = 0; a <= order; ++a)
-    for (std::size_t b = 0; b <= order; ++b)
-      if (b != a) values[a] *= (x - node_places_[b]) / (node_places_[a] - node_places_[b]);
-  return values;
-}
+std::vector<double> BeamMesh::shape_at(double x) const { return lagrange_values(node_places_, x); }
 
 std::vector<double> BeamMesh::slope_at(double x) const {
   std::vector<double> slopes = lagrange_slopes(node_places_, x);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "flexura/core/ldlt.hpp"
+#include "flexura/modelings/continuum_law.hpp"
 #include "flexura/modelings/continuum_port.hpp"
 
 namespace flexura {
@@ -217,19 +218,13 @@ void ContinuumPort::eliminate_side(std::size_t side, const StripFace& face,
   double* sides = work.scratch + at_[side].sides;
   std::fill_n(matrix, half.shape.storage(), 0.0);
   std::fill_n(sides, columns(side) * half.size(), 0.0);
-  const auto run = [&](const auto& density) {
+  with_density(strip_->material, strip_->settings, [&](const auto& density) {
     using Density = std::remove_cvref_t<decltype(density)>;
     if (strip_->mesh.nodes_per_element() == 4)
       assemble<Density, 4>(side, density, face, work);
     else
       assemble<Density, 0>(side, density, face, work);
-  };
-  const LameConstants lame =
-      lame_constants(strip_->material.youngs_modulus, strip_->material.poissons_ratio);
-  if (strip_->settings.law == ContinuumSettings::Law::neo_hookean)
-    run(NeoHookean(lame, strip_->settings.plane));
-  else
-    run(StVenantKirchhoff(lame, strip_->settings.plane));
+  });
   if (side == 1) {
     const double length = strip_->mesh.length;
     const double scale[3] = {length, length, 1.0};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexura/modelings/continuum_law.hpp"
 #include "flexura/modelings/continuum_port.hpp"
 
 namespace flexura {
@@ -200,11 +201,8 @@ StressField StressRecovery::run(const Density& density, const double* strains) {
 StressField recover_stress(const ContinuumStrip& strip, const std::vector<Vec2>& moved,
                            const double* strains) {
   StressRecovery recovery(strip, moved);
-  const LameConstants lame =
-      lame_constants(strip.material.youngs_modulus, strip.material.poissons_ratio);
-  if (strip.settings.law == ContinuumSettings::Law::neo_hookean)
-    return recovery.run(NeoHookean(lame, strip.settings.plane), strains);
-  return recovery.run(StVenantKirchhoff(lame, strip.settings.plane), strains);
+  return with_density(strip.material, strip.settings,
+                      [&](const auto& density) { return recovery.run(density, strains); });
 }
 
 std::optional<StressField> ContinuumPort::stress_field(std::span<const double> internal) const {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "flexura/modelings/continuum_assembly.hpp"
+#include "flexura/modelings/continuum_law.hpp"
 #include "flexura/modelings/continuum_link_factor.hpp"
 #include "flexura/modelings/continuum_link_mesh.hpp"
 #include "flexura/modelings/link_compliance.hpp"
@@ -246,11 +247,7 @@ TipResponse LinkPort::linearize(const Eigen::Vector3d& load, const double* inter
   const auto size = static_cast<Eigen::Index>(mesh_.size());
   Work work{scratch, internal, *factor, {}, tip.rotation, short_of, 0.0};
   work.sides.setZero(size, 4);
-  const LameConstants lame = lame_constants(material_.youngs_modulus, material_.poissons_ratio);
-  if (settings_.law == ContinuumSettings::Law::neo_hookean)
-    assemble_all(NeoHookean(lame, settings_.plane), work);
-  else
-    assemble_all(StVenantKirchhoff(lame, settings_.plane), work);
+  with_density(material_, settings_, [&](const auto& density) { assemble_all(density, work); });
   const Eigen::Vector3d scale(mesh_.length, mesh_.length, 1.0);
   work.sides.bottomRows<3>().col(0) -= scale.cwiseProduct(load);
   work.sides.bottomRightCorner<3, 3>() = scale.asDiagonal();

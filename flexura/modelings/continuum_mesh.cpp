@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexura/core/lagrange.hpp"
 #include "flexura/core/quadrature.hpp"
 
 namespace flexura {
@@ -34,35 +35,12 @@ std::vector<double> StripShape::breaks() const {
 
 LagrangeLine::LagrangeLine(int order) : places_(gauss_lobatto(order + 1).nodes) {}
 
-std::vector<double> LagrangeLine::values(double x) const {
-  std::vector<double> values(places_.size(), 1.0);
-  for (std::size_t a = 0; a < places_.size(); ++a)
-    for (std::size_t b = 0; b < places_.size(); ++b)
-      if (b != a) values[a] *= (x - places_[b]) / (places_[a] - places_[b]);
-  return values;
-}
+std::vector<double> LagrangeLine::values(double x) const { return lagrange_values(places_, x); }
 
-std::vector<double> LagrangeLine::slopes(double x) const {
-  std::vector<double> slopes(places_.size(), 0.0);
-  for (std::size_t a = 0; a < places_.size(); ++a) {
-    for (std::size_t left_out = 0; left_out < places_.size(); ++left_out) {
-      if (left_out == a) continue;
-      double product = 1.0 / (places_[a] - places_[left_out]);
-      for (std::size_t b = 0; b < places_.size(); ++b)
-        if (b != a && b != left_out) product *= (x - places_[b]) / (places_[a] - places_[b]);
-      slopes[a] += product;
-    }
-  }
-  return slopes;
-}
+std::vector<double> LagrangeLine::slopes(double x) const { return lagrange_slopes(places_, x); }
 
 std::vector<double> through_gauss(std::size_t count, double x) {
-  const std::vector<double>& places = gauss_legendre(static_cast<int>(count)).nodes;
-  std::vector<double> values(count, 1.0);
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b)
-      if (b != a) values[a] *= (x - places[b]) / (places[a] - places[b]);
-  return values;
+  return lagrange_values(gauss_legendre(static_cast<int>(count)).nodes, x);
 }
 
 double StripMesh::station(std::size_t column) const {
@@ -107,11 +85,11 @@ std::vector<double> even_stations(const std::vector<double>& breaks, std::size_t
 /// How much an element may take on: turn of the axis, share of the length, and change of the
 /// thickness' logarithm.
 struct Needs {
-  int order = 6;
-  int order_across = 3;
-  double turn = 0.5;
-  double share = 0.25;
-  double thickness = 0.5;
+  int order = 0;
+  int order_across = 0;
+  double turn = 0.0;
+  double share = 0.0;
+  double thickness = 0.0;
 };
 
 /// Adds stations behind a until b that share out evenly what an element may take on.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexura/modelings/continuum_law.hpp"
 #include "flexura/modelings/continuum_port.hpp"
 #include "flexura/modelings/motion_ports.hpp"
 
@@ -251,18 +252,12 @@ MotionPort::Answer ContinuumMotionPort::evaluate(const Eigen::Vector3d& load, co
   std::fill(work.scratch.begin(), work.scratch.end(), 0.0);
   std::copy_n(y, size_, work.scratch.end() - static_cast<std::ptrdiff_t>(size_));
   Answer answer;
-  const auto run = [&](const auto& density) {
+  with_density(strip_->material, strip_->settings, [&](const auto& density) {
     using Density = std::remove_cvref_t<decltype(density)>;
     answer.energy = mesh.nodes_per_element() == 4
                         ? assemble<Density, 4>(density, places, faces, work)
                         : assemble<Density, 0>(density, places, faces, work);
-  };
-  const LameConstants lame =
-      lame_constants(strip_->material.youngs_modulus, strip_->material.poissons_ratio);
-  if (strip_->settings.law == ContinuumSettings::Law::neo_hookean)
-    run(NeoHookean(lame, strip_->settings.plane));
-  else
-    run(StVenantKirchhoff(lame, strip_->settings.plane));
+  });
   const double* tip = y + tip_;
   answer.tip = {mesh.chord.x + mesh.length * tip[0], mesh.chord.y + mesh.length * tip[1], tip[2]};
   const double lever[3] = {mesh.length, mesh.length, 1.0};
