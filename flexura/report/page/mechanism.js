@@ -39,7 +39,9 @@ const Mechanism = (() => {
     return axes.flatMap((axis, i) => (flexures[i].depths && !look.chain ? variedItems(
       view, axis, flexures[i], look) : [{
       ...look,
-      d: (look.chain ? straight : smooth)(axis.map((p) => view.project(p))),
+      // without a depth it is the border of a mesh, which has corners
+      d: (look.chain || flexures[i].depth === 0 ? straight : smooth)(
+        axis.map((p) => view.project(p))),
       width: look.chain ? 1.6 : Math.max(thinnestFlexure, flexures[i].depth * view.scale),
       key: `${look.key} ${flexures[i].name}`,
     }]));
