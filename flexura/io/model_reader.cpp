@@ -73,9 +73,8 @@ Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides
                     NameIndex::of("body", complete(bodies), model.bodies)};
   const auto flexures = of_flexures("flexures");
   if (flexures) model.flexures = read_flexures(reading, *flexures, names);
-  const StudyNames study_names{
-      model.bodies, names.bodies,
-      NameIndex::of("flexure", rigid || complete(flexures), model.flexures)};
+  StudyNames study_names{model.bodies, names.bodies,
+                         NameIndex::of("flexure", rigid || complete(flexures), model.flexures)};
   if (const auto springs = table.find("springs")) {
     model.springs = read_springs(reading, *springs, study_names);
   }
@@ -83,6 +82,7 @@ Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides
     model.joints = read_joints(reading, *joints, names.bodies);
   if (const auto drivers = table.find("drivers"))
     model.drivers = read_drivers(reading, *drivers, names.bodies);
+  study_names.driver_names = NameIndex::of("driver", true, model.drivers);
   if (const auto studies = table.find("studies")) {
     model.studies = read_studies(reading, *studies, study_names);
   }

@@ -137,20 +137,23 @@ ModelingSettings read_modeling_table(Reading& reading, const Place& place) {
 
 }  // namespace
 
+ModelingSettings read_modeling(Reading& reading, const Place& place) {
+  ModelingSettings settings;
+  if (place.node->string()) {
+    settings = read_modeling_name(reading, place);
+  } else if (place.node->table()) {
+    settings = read_modeling_table(reading, place);
+  } else {
+    report_unexpected(reading, place, "a modeling's name or a table with its settings");
+  }
+  settings.source = place.node->position;
+  return settings;
+}
+
 std::vector<ModelingSettings> read_modelings(Reading& reading, const Place& place) {
   std::vector<ModelingSettings> modelings;
-  for (const Place& entry : read_list(reading, place, "modelings")) {
-    ModelingSettings settings;
-    if (entry.node->string()) {
-      settings = read_modeling_name(reading, entry);
-    } else if (entry.node->table()) {
-      settings = read_modeling_table(reading, entry);
-    } else {
-      report_unexpected(reading, entry, "a modeling's name or a table with its settings");
-    }
-    settings.source = entry.node->position;
-    modelings.push_back(std::move(settings));
-  }
+  for (const Place& entry : read_list(reading, place, "modelings"))
+    modelings.push_back(read_modeling(reading, entry));
   return modelings;
 }
 

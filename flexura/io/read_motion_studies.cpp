@@ -35,22 +35,6 @@ InertiaSettings read_inertia(Reading& reading, TableReader& table) {
   return inertia;
 }
 
-DampingSettings read_damping(Reading& reading, const Place& place) {
-  TableReader table(reading, place, vocabulary::damping());
-  DampingSettings damping;
-  for (const char* key : {"mass", "stiffness"})
-    if (table.has("modal") && table.has(key))
-      reading.report_key(place.path, key, table.position(key),
-                         "damping is either modal, or by mass and stiffness");
-  const bool mistaken = reading.has_mistake(place.path);
-  if (place.node->table() && place.node->table()->empty() && !mistaken)
-    reading.report(place.path, place.node->position, "one of modal, mass, stiffness is missing");
-  damping.modal = table.quantity("modal", dimensions::number, 0.0);
-  damping.mass = table.quantity("mass", dimensions::frequency, 0.0);
-  damping.stiffness = table.quantity("stiffness", dimensions::time, 0.0);
-  return damping;
-}
-
 TransientStudy::Method read_method(Reading& reading, TableReader& table) {
   using Method = TransientStudy::Method;
   const auto place = table.find("method");
@@ -86,6 +70,22 @@ void read_frequencies(Reading& reading, const Place& place, ResponseStudy& study
 }
 
 }  // namespace
+
+DampingSettings read_damping(Reading& reading, const Place& place) {
+  TableReader table(reading, place, vocabulary::damping());
+  DampingSettings damping;
+  for (const char* key : {"mass", "stiffness"})
+    if (table.has("modal") && table.has(key))
+      reading.report_key(place.path, key, table.position(key),
+                         "damping is either modal, or by mass and stiffness");
+  const bool mistaken = reading.has_mistake(place.path);
+  if (place.node->table() && place.node->table()->empty() && !mistaken)
+    reading.report(place.path, place.node->position, "one of modal, mass, stiffness is missing");
+  damping.modal = table.quantity("modal", dimensions::number, 0.0);
+  damping.mass = table.quantity("mass", dimensions::frequency, 0.0);
+  damping.stiffness = table.quantity("stiffness", dimensions::time, 0.0);
+  return damping;
+}
 
 ModesStudy read_modes(Reading& reading, const Place& place, const StudyNames& names) {
   TableReader table(reading, place, vocabulary::modes_study());

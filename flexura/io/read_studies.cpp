@@ -160,6 +160,7 @@ decltype(Study::kind) read_kind(Reading& reading, const Place& place, const std:
   if (kind == "modes") return read_modes(reading, place, names);
   if (kind == "transient") return read_transient(reading, place, names);
   if (kind == "response") return read_response(reading, place, names);
+  if (kind == "linkage") return read_linkage(reading, place, names);
   return read_linear(reading, place, names);
 }
 

@@ -13,6 +13,7 @@ struct StudyNames {
   const std::vector<Body>& bodies;
   NameIndex body_names;
   NameIndex flexure_names;
+  NameIndex driver_names{"driver", true};
   NameIndex study_names{"study", true};  ///< filled in where studies are read
 };
 
@@ -22,6 +23,9 @@ std::vector<Spring> read_springs(Reading& reading, const Place& place, const Stu
 
 /// A study's list of modelings, each a name or a table of settings.
 std::vector<ModelingSettings> read_modelings(Reading& reading, const Place& place);
+
+/// One of them.
+ModelingSettings read_modeling(Reading& reading, const Place& place);
 
 /// The modeling the others are compared with where the file names none: continuum, else the first
 /// exact one, else the last named.

@@ -11,6 +11,13 @@ namespace {
 /// Absent without a `history`: the load, or what is prescribed, then keeps its default.
 std::optional<TimeHistory> read_history_in(Reading& reading, const TableReader& table,
                                            const LoadPlace& where) {
+  const auto angle = table.find("angle");
+  if (angle && where.over_angle) return read_history(reading, *angle, HistoryVariable::angle);
+  if (angle)
+    reading.report_key(table.path(), "angle", table.position("angle"),
+                       fmt::format("a study of kind {} has no drive whose angle loads could follow; "
+                                   "this is for linkages",
+                                   where.kind));
   const auto place = table.find("history");
   if (!place) return {};
   if (where.in_time) return read_history(reading, *place);

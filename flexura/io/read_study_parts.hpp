@@ -15,6 +15,7 @@ struct LoadPlace {
   std::string kind;
   bool in_time = false;
   FieldLoads* fields = nullptr;
+  bool over_angle = false;  ///< histories are over the angle of a drive, under the key `angle`
 };
 
 std::vector<Load> read_loads(Reading& reading, const Place& place, const StudyNames& names,
@@ -43,5 +44,8 @@ void read_modelings_of(Reading& reading, TableReader& table, StudyKind& study) {
 ModesStudy read_modes(Reading& reading, const Place& place, const StudyNames& names);
 TransientStudy read_transient(Reading& reading, const Place& place, const StudyNames& names);
 ResponseStudy read_response(Reading& reading, const Place& place, const StudyNames& names);
+LinkageStudy read_linkage(Reading& reading, const Place& place, const StudyNames& names);
+
+DampingSettings read_damping(Reading& reading, const Place& place);
 
 }  // namespace flexura

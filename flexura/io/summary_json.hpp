@@ -6,6 +6,7 @@
 #include "flexura/core/termination.hpp"
 #include "flexura/core/vec2.hpp"
 #include "flexura/results/extremes.hpp"
+#include "flexura/results/linkage_result.hpp"
 #include "flexura/results/motion_result.hpp"
 #include "flexura/results/safety.hpp"
 
@@ -71,5 +72,8 @@ Json safety_json(const Names& names, const Safety& safety, const char* measure) 
 /// What a modeling of a study of kind `transient` or `response` says.
 Json motion_json(const MotionResult& motion, const ModelingMotion& modeling);
 Json response_json(const ResponseResult& response, const ModelingResponse& modeling);
+/// What a study of kind `linkage` says of the whole, and of one of its methods.
+void add_linkage(Json& json, const LinkageResult& linkage);
+Json linkage_json(const LinkageResult& linkage, const LinkageMotion& motion);
 
 }  // namespace flexura::summary

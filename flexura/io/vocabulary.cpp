@@ -203,6 +203,45 @@ const Vocabulary& response_study() {
   return v;
 }
 
+const Vocabulary& linkage_study() {
+  static const Vocabulary v{
+      {"kind", "driver", "loads", "gravity", "positions", "elements", "modeling", "methods",
+       "coupling", "geometric_stiffness", "damping", "rotary_inertia", "inertia_correction",
+       "speed_fluctuation", "speeds", "modes", "midha", "turns"},
+      {}};
+  return v;
+}
+
+const Vocabulary& speed_harmonic() {
+  static const Vocabulary v{{"order", "amplitude", "phase"}, {}};
+  return v;
+}
+
+const Vocabulary& speeds() {
+  static const Vocabulary v{{"from", "to", "count"}, {}};
+  return v;
+}
+
+const Vocabulary& midha() {
+  static const Vocabulary v{{"modes", "continuity"}, {}};
+  return v;
+}
+
+const Vocabulary& linkage_methods() {
+  static const Vocabulary v{{"quasi_static", "periodic", "midha", "transient", "nonlinear"}, {}};
+  return v;
+}
+
+const Vocabulary& geometric_stiffness() {
+  static const Vocabulary v{{"none", "quasi_static", "dynamic"}, {}};
+  return v;
+}
+
+const Vocabulary& continuities() {
+  static const Vocabulary v{{"physical", "modal"}, {}};
+  return v;
+}
+
 const Vocabulary& modes_about() {
   static const Vocabulary v{{"study", "load_factor", "curve"}, {}};
   return v;
@@ -225,7 +264,7 @@ const Vocabulary& damping() {
 
 const Vocabulary& load() {
   static const Vocabulary v{
-      {"on", "force", "moment", "follower", "constant", "distributed", "history"}, {"angle"}};
+      {"on", "force", "moment", "follower", "constant", "distributed", "history", "angle"}, {}};
   return v;
 }
 
@@ -280,7 +319,7 @@ const Vocabulary& prbm_parameters() {
 
 const Vocabulary& study_kinds() {
   static const Vocabulary v{
-      {"linear", "path", "buckling", "inverse", "modes", "transient", "response"}, {"linkage"}};
+      {"linear", "path", "buckling", "inverse", "modes", "transient", "response", "linkage"}, {}};
   return v;
 }
 

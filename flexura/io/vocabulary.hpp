@@ -46,6 +46,10 @@ const Vocabulary& inverse_study();
 const Vocabulary& modes_study();
 const Vocabulary& transient_study();
 const Vocabulary& response_study();
+const Vocabulary& linkage_study();
+const Vocabulary& speed_harmonic();
+const Vocabulary& speeds();
+const Vocabulary& midha();
 /// A state of a study, for `from` and `about`; modes know a curve along it as well.
 const Vocabulary& study_state();
 const Vocabulary& modes_about();
@@ -72,6 +76,9 @@ const Vocabulary& face_ends();
 const Vocabulary& theories();
 const Vocabulary& methods();
 const Vocabulary& mode_solvers();
+const Vocabulary& linkage_methods();
+const Vocabulary& geometric_stiffness();
+const Vocabulary& continuities();
 const Vocabulary& masses();
 
 }  // namespace vocabulary

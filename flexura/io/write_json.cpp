@@ -124,6 +124,9 @@ Json study_json(const StudyResult& study) {
   } else if (const auto* response = std::get_if<ResponseResult>(&study.content)) {
     json["damping"] = response->damping;
     add_modelings(json, *response, [&](const auto& m) { return response_json(*response, m); });
+  } else if (const auto* linkage = std::get_if<LinkageResult>(&study.content)) {
+    add_linkage(json, *linkage);
+    add_modelings(json, *linkage, [&](const auto& m) { return linkage_json(*linkage, m); });
   }
   return json;
 }

@@ -10,6 +10,7 @@
 
 #include "flexura/io/write_csv.hpp"
 #include "flexura/io/write_json.hpp"
+#include "flexura/io/write_linkage.hpp"
 #include "flexura/io/write_motion_csv.hpp"
 #include "flexura/io/write_vtu.hpp"
 
@@ -142,6 +143,9 @@ void FileList::add_study(const Result& result, const StudyResult& study) {
     for_each(*modes, [&](const auto& m) { add_modeling(folder, frequencies, *modes, m); });
   } else if (const auto* motion = std::get_if<MotionResult>(&study.content)) {
     for_each(*motion, [&](const auto& m) { add_modeling(folder, *motion, m); });
+  } else if (const auto* linkage = std::get_if<LinkageResult>(&study.content)) {
+    for (const auto& [name, csv] : make_linkage_files(*linkage, result.angle_unit))
+      add(folder / name, csv);
   } else {
     const auto& response = std::get<ResponseResult>(study.content);
     for_each(response, [&](const auto& m) {

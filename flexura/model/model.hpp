@@ -12,6 +12,7 @@
 #include "flexura/geometry/axis_curve.hpp"
 #include "flexura/geometry/mesh_link.hpp"
 #include "flexura/geometry/section.hpp"
+#include "flexura/model/linkage.hpp"
 #include "flexura/model/loads.hpp"
 #include "flexura/model/modeling_settings.hpp"
 #include "flexura/model/motion.hpp"
@@ -187,7 +188,7 @@ struct InverseStudy {
 struct Study {
   std::string name;
   std::variant<LinearStudy, PathStudy, BucklingStudy, InverseStudy, ModesStudy, TransientStudy,
-               ResponseStudy>
+               ResponseStudy, LinkageStudy>
       kind;
   SourcePosition source;
 };

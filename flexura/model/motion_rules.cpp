@@ -279,7 +279,8 @@ namespace {
 bool is_of_motion(const Study& study) {
   return std::holds_alternative<ModesStudy>(study.kind) ||
          std::holds_alternative<TransientStudy>(study.kind) ||
-         std::holds_alternative<ResponseStudy>(study.kind);
+         std::holds_alternative<ResponseStudy>(study.kind) ||
+         std::holds_alternative<LinkageStudy>(study.kind);
 }
 
 void check_densities(const Model& model, Mistakes& mistakes) {

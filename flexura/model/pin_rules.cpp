@@ -96,6 +96,8 @@ void check_pins(const Model& model, Mistakes& mistakes) {
       check_all(transient->loads, path / "loads");
     } else if (const auto* response = std::get_if<ResponseStudy>(&study.kind)) {
       check_all(response->loads, path / "loads");
+    } else if (const auto* linkage = std::get_if<LinkageStudy>(&study.kind)) {
+      check_all(linkage->loads, path / "loads");
     } else if (const auto* inverse = std::get_if<InverseStudy>(&study.kind)) {
       check_all(inverse->relative, path / "relative");
     }

@@ -87,6 +87,8 @@ void check_motion(const Model& model, const TransientStudy& study, const KeyPath
                   Mistakes& mistakes);
 void check_motion(const Model& model, const ResponseStudy& study, const KeyPath& path,
                   Mistakes& mistakes);
+void check_motion(const Model& model, const LinkageStudy& study, const KeyPath& path,
+                  Mistakes& mistakes);
 
 /// Materials without the density that studies of motion need, and transient studies that start
 /// from one another.

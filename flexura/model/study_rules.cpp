@@ -124,7 +124,7 @@ struct StudyRules {
     check_modelings(model, study.modelings, study.reference, path, mistakes);
   }
 
-  /// ModesStudy, TransientStudy and ResponseStudy.
+  /// ModesStudy, TransientStudy, ResponseStudy and LinkageStudy.
   template <typename MotionStudy>
   void operator()(const MotionStudy& study) const {
     check_motion(model, study, path, mistakes);

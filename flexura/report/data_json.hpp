@@ -112,6 +112,7 @@ Json make_path_json(const PathResult& path, const DrawnCoordinates& coordinates)
 Json make_mode_json(const ModeResult& modes, const DrawnCoordinates& coordinates);
 Json make_motion_json(const MotionResult& motion, const DrawnCoordinates& coordinates);
 Json make_response_json(const ResponseResult& response);
+Json make_linkage_json(const LinkageResult& linkage, const DrawnCoordinates& coordinates);
 Json make_linear_json(const LinearResult& linear);
 
 }  // namespace flexura::report_data

@@ -92,6 +92,8 @@ Json study_json(const StudyResult& study, const DrawnCoordinates& coordinates) {
     json["motion"] = make_motion_json(*motion, coordinates);
   } else if (const auto* response = std::get_if<ResponseResult>(&study.content)) {
     json["response"] = make_response_json(*response);
+  } else if (const auto* linkage = std::get_if<LinkageResult>(&study.content)) {
+    json["linkage"] = make_linkage_json(*linkage, coordinates);
   } else {
     json["linear"] = make_linear_json(std::get<LinearResult>(study.content));
   }

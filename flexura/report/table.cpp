@@ -126,6 +126,8 @@ std::string make_comparison_table(const Result& result, bool colour) {
       text += motion_table(result, study, *motion, colour);
     } else if (const auto* response = std::get_if<ResponseResult>(&study.content)) {
       text += response_table(result, study, *response, colour);
+    } else if (const auto* linkage = std::get_if<LinkageResult>(&study.content)) {
+      text += linkage_table(result, study, *linkage, colour);
     } else {
       text += linear_line(study, std::get<LinearResult>(study.content), colour);
     }

@@ -71,5 +71,8 @@ std::string motion_table(const Result& result, const StudyResult& study, const M
                          bool colour);
 std::string response_table(const Result& result, const StudyResult& study,
                            const ResponseResult& response, bool colour);
+/// Of a study of kind `linkage`.
+std::string linkage_table(const Result& result, const StudyResult& study,
+                          const LinkageResult& linkage, bool colour);
 
 }  // namespace flexura::table

@@ -8,6 +8,7 @@
 #include "flexura/core/termination.hpp"
 #include "flexura/core/vec2.hpp"
 #include "flexura/results/ellipse.hpp"
+#include "flexura/results/linkage_result.hpp"
 #include "flexura/results/mode_result.hpp"
 #include "flexura/results/motion_result.hpp"
 #include "flexura/results/path_result.hpp"
@@ -88,11 +89,13 @@ struct DrawnFields {
 
 struct StudyResult {
   std::string name;
-  std::string kind;  ///< "linear", "path", "buckling", "inverse", "modes", "transient", "response"
+  std::string kind;  ///< as the file says it: "linear", "path", "buckling", "inverse", ..
   Termination termination;
   std::vector<DrawnLoad> loads;
   DrawnFields fields = {};
-  std::variant<LinearResult, PathResult, ModeResult, MotionResult, ResponseResult> content;
+  std::variant<LinearResult, PathResult, ModeResult, MotionResult, ResponseResult,
+               LinkageResult>
+      content;
 };
 
 /// Everything a run found out, in the file's declared units, rotations in radians.
@@ -103,6 +106,7 @@ struct Result {
   std::string length_unit;
   std::string force_unit;
   std::string time_unit;
+  std::string angle_unit = "rad";  ///< of angles in the files of linkages
   Drawing drawing;
   std::vector<StudyResult> studies;
 };

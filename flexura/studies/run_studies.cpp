@@ -13,6 +13,7 @@
 #include "flexura/studies/drawing.hpp"
 #include "flexura/studies/inverse_study.hpp"
 #include "flexura/studies/linear_study.hpp"
+#include "flexura/studies/linkage_study.hpp"
 #include "flexura/studies/modes_study.hpp"
 #include "flexura/studies/path_record.hpp"
 #include "flexura/studies/path_study.hpp"
@@ -158,6 +159,24 @@ class Run {
     response.damping = damping_sentence(study.damping);
     result.content = std::move(response);
   }
+  void prepare(const LinkageStudy& study, StudyResult& result) {
+    result.kind = "linkage";
+    result.loads = make_drawn_loads(model_, study.loads);
+    for (std::size_t i = 0; i < study.loads.size(); ++i)
+      result.loads[i].history = describe_history(study.loads[i].history);
+    result.fields.gravity = study.gravity;
+  }
+  void add_tasks(const LinkageStudy& study, StudyResult& result) {
+    tasks_.push_back([this, &study, &result] {
+      LinkageResult linkage =
+          run_linkage(model_, study, result.termination, [&](double fraction) {
+            return progress_.report(result.name, study.modeling.label, fraction);
+          });
+      linkage.damping = damping_sentence(study.damping);
+      result.content = std::move(linkage);
+      progress_.report(result.name, study.modeling.label, 1.0);
+    });
+  }
   void add_tasks(const ModesStudy& study, StudyResult& result) {
     add_modelings(study.modelings, study.reference, result, std::get<ModeResult>(result.content),
                   [this, &study](const ModelingSettings& settings, const KeepGoing& keep_going) {
@@ -277,6 +296,7 @@ Result run_studies(const Model& model, const RunOptions& options) {
   result.length_unit = model.units.length;
   result.force_unit = model.units.force;
   result.time_unit = model.units.time;
+  result.angle_unit = model.units.angle;
   result.drawing = make_drawing(model);
   Progress progress(options.progress);
   Run run(model, options, progress);

@@ -1,0 +1,166 @@
+#include "flexura/studies/linkage_methods.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace flexura {
+namespace {
+
+constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double settled = 1e-9;   // change over a turn, of the largest displacement
+constexpr int most_passes = 20;    // with the axial forces of the last
+constexpr double same_motion = 1e-9;
+constexpr int transient_stages = 3;
+
+std::string buckles(double angle) {
+  return fmt::format("a link buckles at {:.4g} degrees of the drive: its axial force there is "
+                     "beyond what it bears. A lower speed or load, or a stiffer link, helps",
+                     angle * 180.0 / std::numbers::pi);
+}
+
+/// By time, of what is by the angle.
+Eigen::VectorXd second_rate(const DriveRate& drive, double speed, const OscillationState& state) {
+  const double w = speed * drive.rate;
+  return w * w * state.second + (speed * speed * drive.rate * drive.slope) * state.first;
+}
+
+/// States at the positions out of those at the ends of all intervals. The first has the second
+/// derivative of the last.
+std::vector<ElasticState> at_positions(const LinkageTurn& turn, double speed,
+                                       const std::vector<double>& ends,
+                                       std::vector<OscillationState> states) {
+  states.front().second = states.back().second;
+  std::vector<ElasticState> chosen;
+  std::size_t k = 0;
+  for (const double angle : turn.positions()) {
+    while (k + 1 < ends.size() && std::abs(ends[k] - angle) > 1e-10) ++k;
+    chosen.push_back({states[k].u, second_rate(turn.drive(angle), speed, states[k])});
+  }
+  return chosen;
+}
+
+/// Matrices by the angle, with the stiffness of the axial forces that the study wants.
+class Oscillation {
+ public:
+  Oscillation(const LinkageTurn& turn, double speed) : turn_(turn), speed_(speed) {}
+  void set_displacements(const std::vector<double>& angles,
+                         const std::vector<Eigen::VectorXd>& displacements) {
+    for (std::size_t k = 0; k < angles.size(); ++k) known_[angles[k]] = displacements[k];
+  }
+  OscillationMatrices operator()(double angle) const {
+    const auto found = known_.find(angle);
+    return turn_.oscillation(angle, speed_,
+                             found == known_.end() ? turn_.stiffness(angle, speed_)
+                                                   : turn_.stiffness_of(angle, found->second));
+  }
+
+ private:
+  const LinkageTurn& turn_;
+  double speed_;
+  std::map<double, Eigen::VectorXd> known_;
+};
+
+}  // namespace
+
+LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& /*study*/,
+                                   double speed) {
+  LinkageSolution solution;
+  for (const double angle : turn.positions()) {
+    const LinkageMatrices& m = turn.matrices(angle);
+    const Eigen::LLT<Eigen::MatrixXd> factor(turn.stiffness(angle, speed));
+    if (factor.info() != Eigen::Success) {
+      solution.termination = {Status::stopped, buckles(angle)};
+      return solution;
+    }
+    const Eigen::VectorXd q = factor.solve(m.load + speed * speed * m.inertia_load);
+    solution.states.push_back({q, Eigen::VectorXd::Zero(q.size())});
+  }
+  solution.termination = {Status::converged, {}};
+  return solution;
+}
+
+LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed) {
+  LinkageSolution solution;
+  const std::vector<double> ends = turn.interval_ends(1);
+  const std::vector<double> angles = LinkageTurn::stage_angles(ends, periodic_stages);
+  if (!turn.visit(angles)) return solution;
+  const bool dynamic = study.geometric_stiffness == LinkageStudy::GeometricStiffness::dynamic;
+  Oscillation matrices(turn, speed);
+  solution.counted = "turns";
+  std::vector<Eigen::VectorXd> before;
+  try {
+    for (int pass = 0; pass < most_passes; ++pass) {
+      const PeriodicOscillation oscillation(ends, periodic_stages, matrices);
+      const PeriodicOscillation::Periodic periodic = oscillation.solve_periodic();
+      solution.iterations += periodic.turns;
+      solution.multipliers = periodic.multipliers;
+      const std::vector<OscillationState> states = oscillation.states(periodic.start);
+      solution.states = at_positions(turn, speed, ends, states);
+      if (!(periodic.residual < 1e-8)) {
+        solution.termination = {
+            Status::stopped,
+            "no periodic motion: a multiplier of Floquet is 1, a resonance without damping. "
+            "Damping, or another speed, helps"};
+        return solution;
+      }
+      if (!dynamic) break;
+      const std::vector<Eigen::VectorXd> now = oscillation.stage_displacements(periodic.start);
+      double change = 0.0, size = 0.0;
+      for (std::size_t k = 0; k < now.size(); ++k) {
+        if (!before.empty()) change = std::max(change, (now[k] - before[k]).norm());
+        size = std::max(size, now[k].norm());
+      }
+      if (!before.empty() && change <= same_motion * size) break;
+      before = now;
+      matrices.set_displacements({angles.begin() + 1, angles.end()}, now);
+      if (pass + 1 == most_passes) {
+        solution.termination = {Status::stopped,
+                                "the axial forces of the vibration and the stiffness that they "
+                                "give do not come to agree: the linkage is beyond what this theory "
+                                "can say"};
+        return solution;
+      }
+    }
+  } catch (const LinkageTurn::Buckled& buckled) {
+    solution.termination = {Status::stopped, buckles(buckled.angle)};
+    return solution;
+  }
+  solution.termination = {Status::converged, {}};
+  return solution;
+}
+
+LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, double speed,
+                                const std::function<bool(double)>& keep_going) {
+  LinkageSolution solution;
+  const std::vector<double> ends = turn.interval_ends(2);
+  if (!turn.visit(LinkageTurn::stage_angles(ends, transient_stages))) return solution;
+  solution.counted = "turns";
+  try {
+    const PeriodicOscillation oscillation(ends, transient_stages, Oscillation(turn, speed));
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * oscillation.size());
+    y.head(oscillation.size()) = turn.static_displacement(0.0, speed);
+    double change = 1.0;
+    for (; solution.iterations < study.turns && change > settled; ++solution.iterations) {
+      const Eigen::VectorXd after = oscillation.advance(y, true);
+      change = (after - y).norm() / std::max(after.norm(), 1e-300);
+      y = after;
+      if (keep_going && !keep_going(static_cast<double>(solution.iterations) / study.turns)) break;
+    }
+    solution.states = at_positions(turn, speed, ends, oscillation.states(y));
+    solution.termination = {Status::converged, {}};
+    if (!std::isfinite(change) || change > settled)
+      solution.termination = {
+          Status::stopped,
+          fmt::format("after {} turns the motion still changes by {:.2g} in a turn: more `turns`, or "
+                      "more damping, lets it settle, unless it grows",
+                      solution.iterations, change)};
+  } catch (const LinkageTurn::Buckled& buckled) {
+    solution.termination = {Status::stopped, buckles(buckled.angle)};
+  }
+  return solution;
+}
+
+}  // namespace flexura

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "flexura/studies/linkage_record.hpp"
+#include "flexura/studies/linkage_turn.hpp"
+
+namespace flexura {
+
+/// States at all positions of a turn by one method, and what it took.
+struct LinkageSolution {
+  Termination termination;
+  std::vector<ElasticState> states;
+  std::vector<std::complex<double>> multipliers;
+  int iterations = 0;
+  std::string counted;
+  std::string remark;
+};
+
+/// Stages of Radau's rule in every interval of the periodic solution.
+inline constexpr int periodic_stages = 4;
+
+LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& study, double speed);
+/// The periodic boundary-value problem.
+LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed);
+/// From rest in the quasi-static position, turn by turn, until nothing changes any more.
+LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, double speed,
+                                const std::function<bool(double)>& keep_going);
+/// Midha's intervals of frozen coefficients (Midha, Erdman and Frohrib 1979; Turcic and Midha 1984).
+LinkageSolution solve_midha(LinkageTurn& turn, const LinkageStudy& study, double speed);
+
+/// Natural frequencies at all positions, ascending, and followed by their shapes.
+void find_frequencies(const LinkageTurn& turn, const LinkageStudy& study, double speed,
+                      LinkageResult& result);
+
+/// Multipliers of Floquet and largest strains over the study's speeds.
+std::vector<SpeedState> sweep_speeds(const Model& model, const LinkageStudy& study,
+                                     const std::function<bool(double)>& keep_going);
+
+/// What kind of four-bar it is, and its transmission angle at every position; nothing for others.
+void describe_four_bar(const LinkageTurn& turn, LinkageResult& result);
+
+}  // namespace flexura

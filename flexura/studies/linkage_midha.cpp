@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "flexura/solvers/vibration.hpp"
+#include "flexura/studies/linkage_methods.hpp"
+
+namespace flexura {
+namespace {
+
+constexpr int most_iterations = 200;
+constexpr double agreed = 1e-10;
+
+/// An interval with the matrices of its middle: modes that are damped oscillators by themselves.
+struct FrozenInterval {
+  double time = 0.0;
+  Eigen::MatrixXd shapes;   // mass-normalised columns
+  Eigen::MatrixXd weighted; // mass * shapes
+  Eigen::VectorXd frequency, damping;  // damping: the share of critical
+  Eigen::MatrixXd turning, carrying;   // coupling terms by u' and u
+  Eigen::VectorXd load;
+  Eigen::VectorXd modal_load;  // with the coupling terms of the last iteration
+};
+
+/// Modal coordinates and their rates.
+struct ModalState {
+  Eigen::VectorXd value, rate;
+};
+
+/// The damped oscillator x'' + 2 z w x' + w^2 x = f over a time, in closed form.
+ModalState advance(const FrozenInterval& interval, const ModalState& start, bool loaded) {
+  ModalState end{start.value, start.rate};
+  for (Eigen::Index i = 0; i < start.value.size(); ++i) {
+    const double w = interval.frequency[i], z = interval.damping[i];
+    const double rest = loaded ? interval.modal_load[i] / (w * w) : 0.0;
+    const double x = start.value[i] - rest;
+    const double decay = z * w, t = interval.time;
+    const double own = w * std::sqrt(std::abs(1.0 - z * z));
+    // beyond critical damping the circular functions become hyperbolic ones
+    const double c = z < 1.0 ? std::cos(own * t) : std::cosh(own * t);
+    const double s = own * t < 1e-9 ? t : (z < 1.0 ? std::sin(own * t) : std::sinh(own * t)) / own;
+    const double e = std::exp(-decay * t);
+    end.value[i] = rest + e * (x * (c + decay * s) + start.rate[i] * s);
+    end.rate[i] = e * (start.rate[i] * (c - decay * s) - x * w * w * s);
+  }
+  return end;
+}
+
+class Midha {
+ public:
+  Midha(LinkageTurn& turn, const LinkageStudy& study, double speed)
+      : turn_(turn), study_(study), speed_(speed), ends_(turn.interval_ends(1)) {}
+  LinkageSolution solve();
+
+ private:
+  bool freeze();
+  bool freeze(double angle, double length);
+  /// From the end of an interval to the start of the next.
+  ModalState carry_over(std::size_t from, const ModalState& state) const;
+  ModalState over_turn(ModalState state, bool loaded) const;
+  ModalState periodic_start() const;
+  void load_with(const std::vector<ElasticState>& last, const std::vector<Eigen::VectorXd>& rates);
+
+  LinkageTurn& turn_;
+  const LinkageStudy& study_;
+  double speed_;
+  std::vector<double> ends_;
+  std::vector<FrozenInterval> intervals_;
+  std::optional<double> buckled_;
+};
+
+bool Midha::freeze(double angle, double length) {
+  const LinkageMatrices& m = turn_.matrices(angle);
+  const Eigen::MatrixXd stiffness = turn_.stiffness(angle, speed_);
+  const int all = static_cast<int>(m.mass.rows());
+  const Vibrations modes =
+      dense_vibrations(stiffness, m.mass, Eigen::MatrixXd(0, m.mass.cols()),
+                       std::min(study_.midha_modes.value_or(all), all));
+  if (!modes.found || modes.squares.size() == 0 || modes.squares[0] <= 0.0) {
+    buckled_ = angle;
+    return false;
+  }
+  FrozenInterval interval;
+  interval.time = length / (speed_ * turn_.drive(angle).rate);
+  interval.shapes = modes.shapes;
+  interval.weighted = m.mass * modes.shapes;
+  interval.frequency = modes.squares.cwiseSqrt();
+  const DampingSettings& damping = study_.damping;
+  interval.damping = damping.modal + 0.5 * damping.mass * interval.frequency.array().inverse() +
+                     0.5 * damping.stiffness * interval.frequency.array();
+  interval.turning = speed_ * m.turning;
+  interval.carrying = speed_ * speed_ * m.carrying;
+  interval.load = m.load + speed_ * speed_ * m.inertia_load;
+  interval.modal_load = interval.shapes.transpose() * interval.load;
+  // one sign from interval to interval
+  if (!intervals_.empty())
+    for (Eigen::Index i = 0; i < interval.shapes.cols(); ++i)
+      if (intervals_.back().weighted.col(i).dot(interval.shapes.col(i)) < 0.0) {
+        interval.shapes.col(i) *= -1.0;
+        interval.weighted.col(i) *= -1.0;
+        interval.modal_load[i] *= -1.0;
+      }
+  intervals_.push_back(std::move(interval));
+  return true;
+}
+
+bool Midha::freeze() {
+  std::vector<double> middles;
+  for (std::size_t k = 0; k + 1 < ends_.size(); ++k)
+    middles.push_back(0.5 * (ends_[k] + ends_[k + 1]));
+  if (!turn_.visit(middles)) return false;
+  for (std::size_t k = 0; k < middles.size(); ++k)
+    if (!freeze(middles[k], ends_[k + 1] - ends_[k])) return false;
+  return true;
+}
+
+ModalState Midha::carry_over(std::size_t from, const ModalState& state) const {
+  if (study_.continuity == LinkageStudy::Continuity::modal) return state;
+  const FrozenInterval& next = intervals_[(from + 1) % intervals_.size()];
+  const Eigen::MatrixXd across = next.weighted.transpose() * intervals_[from].shapes;
+  return {across * state.value, across * state.rate};
+}
+
+ModalState Midha::over_turn(ModalState state, bool loaded) const {
+  for (std::size_t k = 0; k < intervals_.size(); ++k)
+    state = carry_over(k, advance(intervals_[k], state, loaded));
+  return state;
+}
+
+/// The map of a turn is affine: its columns one by one.
+ModalState Midha::periodic_start() const {
+  const Eigen::Index m = intervals_.front().frequency.size();
+  const ModalState rest{Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)};
+  const ModalState loaded = over_turn(rest, true);
+  Eigen::VectorXd right(2 * m);
+  right << loaded.value, loaded.rate;
+  Eigen::MatrixXd system = Eigen::MatrixXd::Identity(2 * m, 2 * m);
+  for (Eigen::Index j = 0; j < 2 * m; ++j) {
+    ModalState unit = rest;
+    (j < m ? unit.value[j] : unit.rate[j - m]) = 1.0;
+    const ModalState after = over_turn(unit, false);
+    system.col(j).head(m) -= after.value;
+    system.col(j).tail(m) -= after.rate;
+  }
+  const Eigen::VectorXd start = system.partialPivLu().solve(right);
+  return {start.head(m), start.tail(m)};
+}
+
+/// Coupling terms by the mean of both ends of the last iteration.
+void Midha::load_with(const std::vector<ElasticState>& last,
+                      const std::vector<Eigen::VectorXd>& rates) {
+  for (std::size_t k = 0; k < intervals_.size(); ++k) {
+    FrozenInterval& interval = intervals_[k];
+    const Eigen::VectorXd u = 0.5 * (last[k].q + last[k + 1].q);
+    const Eigen::VectorXd v = 0.5 * (rates[k] + rates[k + 1]);
+    interval.modal_load = interval.shapes.transpose() *
+                          (interval.load - interval.turning * v - interval.carrying * u);
+  }
+}
+
+LinkageSolution Midha::solve() {
+  LinkageSolution solution;
+  solution.counted = "iterations of the coupling terms";
+  if (!freeze()) {
+    if (buckled_)
+      solution.termination = {Status::stopped,
+                              fmt::format("a link buckles at {:.4g} rad of the drive", *buckled_)};
+    return solution;
+  }
+  std::vector<ElasticState> states;
+  std::vector<Eigen::VectorXd> rates;
+  double change = 1.0;
+  for (; solution.iterations < most_iterations && change > agreed; ++solution.iterations) {
+    ModalState state = periodic_start();
+    std::vector<ElasticState> now;
+    std::vector<Eigen::VectorXd> now_rates;
+    for (std::size_t k = 0; k <= intervals_.size(); ++k) {
+      const FrozenInterval& interval = intervals_[k % intervals_.size()];
+      const Eigen::VectorXd second =
+          interval.modal_load.array() -
+          2.0 * interval.damping.array() * interval.frequency.array() * state.rate.array() -
+          interval.frequency.array().square() * state.value.array();
+      now.push_back({interval.shapes * state.value, interval.shapes * second});
+      now_rates.push_back(interval.shapes * state.rate);
+      if (k < intervals_.size()) state = carry_over(k, advance(interval, state, true));
+    }
+    double size = 0.0, moved = 0.0;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      size = std::max(size, now[k].q.norm());
+      moved = std::max(moved, states.empty() ? now[k].q.norm() : (now[k].q - states[k].q).norm());
+    }
+    change = moved / std::max(size, 1e-300);
+    states = std::move(now);
+    rates = std::move(now_rates);
+    if (!study_.coupling) change = 0.0;
+    load_with(states, rates);
+  }
+  std::size_t k = 0;
+  for (const double angle : turn_.positions()) {
+    while (k + 1 < ends_.size() && std::abs(ends_[k] - angle) > 1e-10) ++k;
+    solution.states.push_back(states[k]);
+  }
+  solution.termination = {Status::converged, {}};
+  if (!(change <= agreed))
+    solution.termination = {Status::stopped,
+                            "the iteration of the coupling terms does not come to rest: at this "
+                            "speed they are no small correction. Method periodic solves for them"};
+  return solution;
+}
+
+}  // namespace
+
+LinkageSolution solve_midha(LinkageTurn& turn, const LinkageStudy& study, double speed) {
+  return Midha(turn, study, speed).solve();
+}
+
+}  // namespace flexura

@@ -1,0 +1,210 @@
+#include "flexura/studies/linkage_study.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "flexura/studies/linkage_methods.hpp"
+
+namespace flexura {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr Eigen::Index most_estimated = 150;  // unknowns of a refined linkage
+constexpr double large_deflection = 0.02;     // of a link's length: beyond it linear theory is off
+
+using Method = LinkageStudy::Method;
+
+std::string name_of(Method method) {
+  switch (method) {
+    case Method::quasi_static:
+      return "quasi_static";
+    case Method::periodic:
+      return "periodic";
+    case Method::midha:
+      return "midha";
+    case Method::transient:
+      return "transient";
+    case Method::nonlinear:
+      break;
+  }
+  return "nonlinear";
+}
+
+class Linkage {
+ public:
+  Linkage(const Model& model, const LinkageStudy& study,
+          const std::function<bool(double)>& keep_going)
+      : model_(model),
+        study_(study),
+        keep_going_(keep_going),
+        speed_(std::abs(model.drivers[study.driver].amount)),
+        turn_(model, study, false) {}
+
+  LinkageResult run(Termination& termination);
+
+ private:
+  bool go_round(Termination& termination);
+  LinkageSolution solve(Method method, LinkageTurn& turn) const;
+  LinkageMotion solve_and_record(Method method);
+  std::optional<double> estimate(Method method, const std::vector<ElasticState>& states) const;
+  void warn_of_large_deflections(LinkageMotion& motion) const;
+  void compare();
+
+  const Model& model_;
+  const LinkageStudy& study_;
+  const std::function<bool(double)>& keep_going_;
+  double speed_;
+  LinkageTurn turn_;
+  LinkageResult result_;
+};
+
+bool Linkage::go_round(Termination& termination) {
+  if (turn_.visit(turn_.positions())) return true;
+  const RigidFailure& failure = *turn_.failure();
+  termination = {
+      Status::stopped,
+      failure.angle == 0.0 && turn_.failure()->reason.find("drive") != std::string::npos
+          ? fmt::format("as drawn, {}: every link needs a place that follows from the angle of "
+                        "driver '{}'. Rigid links are flexures clamped to the same body",
+                        failure.reason, result_.driver)
+          : fmt::format("the drive cannot go round: at {:.4g} degrees from the drawn position {}. "
+                        "Another branch, or other lengths, would let it pass",
+                        failure.angle / degree, failure.reason)};
+  return false;
+}
+
+LinkageSolution Linkage::solve(Method method, LinkageTurn& turn) const {
+  switch (method) {
+    case Method::quasi_static:
+      return solve_quasi_static(turn, study_, speed_);
+    case Method::periodic:
+      return solve_periodic(turn, study_, speed_);
+    case Method::midha:
+      return solve_midha(turn, study_, speed_);
+    case Method::transient:
+      return solve_transient(turn, study_, speed_, keep_going_);
+    case Method::nonlinear:
+      break;
+  }
+  return {};
+}
+
+/// Largest difference of the strains at mid-length over the largest of their flexure.
+double strain_distance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  double worst = 0.0;
+  const double largest = b.cwiseAbs().maxCoeff();
+  for (Eigen::Index m = 0; m < a.cols(); ++m) {
+    const double size = std::max(b.col(m).cwiseAbs().maxCoeff(), 1e-6 * largest);
+    if (size > 0.0) worst = std::max(worst, (a.col(m) - b.col(m)).cwiseAbs().maxCoeff() / size);
+  }
+  return worst;
+}
+
+/// Against a linkage of finer flexures.
+std::optional<double> Linkage::estimate(Method method,
+                                        const std::vector<ElasticState>& states) const {
+  if (method == Method::transient) return {};
+  LinkageTurn finer(model_, study_, true);
+  if (finer.system().size() > most_estimated || !finer.visit(finer.positions())) return {};
+  const LinkageSolution fine = solve(method, finer);
+  if (!fine.termination.converged()) return {};
+  return strain_distance(middle_strains(study_, turn_, speed_, states),
+                         middle_strains(study_, finer, speed_, fine.states));
+}
+
+void Linkage::warn_of_large_deflections(LinkageMotion& motion) const {
+  for (std::size_t k = 0; k < motion.flexures.size(); ++k) {
+    const ElasticLink& link = turn_.system().layout().members[k].link;
+    const double length = norm(link.action - link.base);
+    double largest = 0.0;
+    for (const double value : motion.flexures[k].deflection)
+      largest = std::max(largest, std::abs(value));
+    if (largest <= large_deflection * length) continue;
+    motion.remark += fmt::format(
+        "{}'{}' deflects by {:.2g} of its length: displacements are not small any more, and linear "
+        "theory is off by more than it says",
+        motion.remark.empty() ? "" : "; ", result_.flexures[k], largest / length);
+  }
+}
+
+LinkageMotion Linkage::solve_and_record(Method method) {
+  LinkageMotion motion;
+  motion.label = name_of(method);
+  const auto start = std::chrono::steady_clock::now();
+  LinkageSolution solution = solve(method, turn_);
+  motion.termination = solution.termination;
+  motion.unknowns = static_cast<int>(turn_.system().size());
+  motion.iterations = solution.iterations;
+  motion.counted = solution.counted;
+  motion.remark = solution.remark;
+  motion.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (solution.states.empty()) return motion;
+  record_elastic_motion(model_, study_, turn_, solution.states, motion);
+  warn_of_large_deflections(motion);
+  if (solution.termination.converged()) motion.error_estimate = estimate(method, solution.states);
+  if (method == Method::periodic) result_.multipliers = solution.multipliers;
+  return motion;
+}
+
+/// The periodic solution is what others are compared with.
+void Linkage::compare() {
+  const auto strains = [](const LinkageMotion& motion) {
+    Eigen::MatrixXd all(static_cast<Eigen::Index>(motion.flexures.front().strain.size()),
+                        static_cast<Eigen::Index>(motion.flexures.size()));
+    for (Eigen::Index m = 0; m < all.cols(); ++m)
+      for (Eigen::Index i = 0; i < all.rows(); ++i)
+        all(i, m) = motion.flexures[static_cast<std::size_t>(m)].strain[static_cast<std::size_t>(i)];
+    return all;
+  };
+  for (std::size_t k = 0; k < result_.modelings.size(); ++k)
+    if (result_.modelings[k].label == "periodic") result_.reference = k;
+  const LinkageMotion& reference = result_.modelings[result_.reference];
+  if (reference.flexures.empty()) return;
+  for (LinkageMotion& motion : result_.modelings)
+    if (&motion != &reference && !motion.flexures.empty())
+      motion.difference = strain_distance(strains(motion), strains(reference));
+}
+
+LinkageResult Linkage::run(Termination& termination) {
+  result_ = make_linkage_names(model_, study_, turn_);
+  result_.modeling = modeling_name(study_.modeling);
+  if (!go_round(termination)) return std::move(result_);
+  record_rigid_motion(model_, study_, turn_, result_);
+  describe_four_bar(turn_, result_);
+  find_frequencies(turn_, study_, speed_, result_);
+  termination.status = Status::converged;
+  double done = 0.0;
+  for (const Method method : study_.methods) {
+    result_.modelings.push_back(solve_and_record(method));
+    done += 0.5 / static_cast<double>(study_.methods.size());
+    if (keep_going_ && !keep_going_(done)) {
+      termination = {Status::stopped, "cancelled"};
+      return std::move(result_);
+    }
+  }
+  compare();
+  if (study_.speeds)
+    result_.speeds = sweep_speeds(model_, study_, [&](double share) {
+      return !keep_going_ || keep_going_(0.5 + 0.5 * share);
+    });
+  for (const LinkageMotion& motion : result_.modelings)
+    if (!motion.termination.converged()) {
+      termination.status = Status::stopped;
+      termination.reason += (termination.reason.empty() ? "" : ", ") + motion.label;
+    }
+  if (!termination.reason.empty()) termination.reason += " stopped early";
+  return std::move(result_);
+}
+
+}  // namespace
+
+LinkageResult run_linkage(const Model& model, const LinkageStudy& study, Termination& termination,
+                          const std::function<bool(double)>& keep_going) {
+  return Linkage(model, study, keep_going).run(termination);
+}
+
+}  // namespace flexura
