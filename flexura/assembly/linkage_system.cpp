@@ -17,8 +17,8 @@ struct PartRates {
   double spin_rate = 0.0;
 };
 PartRates rates_of(const PartMotion& part, const DriveRate& drive) {
-  return {drive.rate * part.first_turn, drive.rate * drive.rate * part.second_turn +
-                                            drive.rate * drive.slope * part.first_turn};
+  return {drive.rate * part.first_turn,
+          drive.rate * drive.rate * part.second_turn + drive.rate * drive.slope * part.first_turn};
 }
 Vec2 acceleration_of(const PartMotion& point, const DriveRate& drive) {
   return (drive.rate * drive.rate) * point.second + (drive.rate * drive.slope) * point.first;
@@ -199,8 +199,7 @@ void LinkageSystem::add_member(std::size_t m, const RigidState& state, const Dri
   if (coupling) {
     const Eigen::MatrixXd turning = turned(turning_[m], pairs, e);
     scatter(2.0 * rates.spin * turning, member.unknowns, sum.turning);
-    scatter(rates.spin_rate * turning -
-                rates.spin * rates.spin * turned(carrying_[m], pairs, e),
+    scatter(rates.spin_rate * turning - rates.spin * rates.spin * turned(carrying_[m], pairs, e),
             member.unknowns, sum.carrying);
     scatter(rates.spin * turned(straining_[m], pairs, e), member.unknowns, sum.straining);
   }
@@ -252,7 +251,8 @@ LinkageMatrices LinkageSystem::matrices(const RigidState& state, const DriveRate
                                         bool coupling) const {
   const auto n = static_cast<Eigen::Index>(layout_.unknowns);
   const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, n);
-  LinkageMatrices sum{zero, zero, zero, zero, zero, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  LinkageMatrices sum{
+      zero, zero, zero, zero, zero, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
   for (std::size_t m = 0; m < layout_.members.size(); ++m)
     add_member(m, state, drive, coupling, sum);
   for (const LinkageLayout::Mass& mass : layout_.masses) add_mass(mass, state, drive, sum);
@@ -267,9 +267,8 @@ LinkageMatrices LinkageSystem::matrices(const RigidState& state, const DriveRate
   q.carrying = e.b.transpose() * sum.carrying * e.b;
   if (coupling) {
     q.turning += e.b.transpose() * (2.0 * g * sum.mass * e.first);
-    q.carrying +=
-        e.b.transpose() * (g * sum.turning * e.first +
-                           sum.mass * (g * g * e.second + g * drive.slope * e.first));
+    q.carrying += e.b.transpose() * (g * sum.turning * e.first +
+                                     sum.mass * (g * g * e.second + g * drive.slope * e.first));
   }
   q.straining = e.b.transpose() * sum.straining * e.b;
   if (coupling) q.straining += e.b.transpose() * (g * sum.stiffness * e.first);

@@ -66,13 +66,13 @@ struct DriveRate {
 ///     M U'' + (w C1 + C) U' + (K + w^2 K2) U = f + w^2 f2,
 /// primes by time, C the damping that is chosen elsewhere.
 struct LinkageMatrices {
-  Eigen::MatrixXd mass;         ///< M
-  Eigen::MatrixXd turning;      ///< C1: Coriolis' forces
-  Eigen::MatrixXd carrying;     ///< K2: forces of inertia by displacements
-  Eigen::MatrixXd stiffness;    ///< K, elastic
-  Eigen::MatrixXd straining;    ///< times w: elastic forces of the rate that turning alone gives u
-  Eigen::VectorXd inertia_load; ///< f2: of the rigid links
-  Eigen::VectorXd load;         ///< f
+  Eigen::MatrixXd mass;          ///< M
+  Eigen::MatrixXd turning;       ///< C1: Coriolis' forces
+  Eigen::MatrixXd carrying;      ///< K2: forces of inertia by displacements
+  Eigen::MatrixXd stiffness;     ///< K, elastic
+  Eigen::MatrixXd straining;     ///< times w: elastic forces of the rate that turning alone gives u
+  Eigen::VectorXd inertia_load;  ///< f2: of the rigid links
+  Eigen::VectorXd load;          ///< f
 };
 
 /// Kineto-elastodynamics: elastic displacements, linear, upon the motion of rigid links (Turcic and
@@ -137,8 +137,8 @@ class LinkageSystem {
   LinkageLayout layout_;
   RigidLinkage rigid_;
   std::vector<LinkInertia> inertia_;
-  std::vector<Eigen::MatrixXd> turning_;   // of members, in their own axes: mc - m G
-  std::vector<Eigen::MatrixXd> carrying_;  // m P + 2 mc G + m
+  std::vector<Eigen::MatrixXd> turning_;    // of members, in their own axes: mc - m G
+  std::vector<Eigen::MatrixXd> carrying_;   // m P + 2 mc G + m
   std::vector<Eigen::MatrixXd> straining_;  // -k G
   std::vector<int> independent_, dependent_;
 };

@@ -33,8 +33,8 @@ PartMotion RigidLinkage::point(const RigidState& state, std::size_t part, Vec2 d
   const Vec2 r = arm(layout_, state, part, drawn);
   motion.displacement = layout_.parts[part].centre + motion.displacement + r;
   motion.first = motion.first + motion.first_turn * perp(r);
-  motion.second = motion.second + motion.second_turn * perp(r) -
-                  (motion.first_turn * motion.first_turn) * r;
+  motion.second =
+      motion.second + motion.second_turn * perp(r) - (motion.first_turn * motion.first_turn) * r;
   return motion;
 }
 

@@ -37,8 +37,10 @@ ModelingSettings read_linkage_modeling(Reading& reading, const Place& place, Lin
 void read_methods(Reading& reading, const Place& place, LinkageStudy& study) {
   using Method = LinkageStudy::Method;
   static const std::vector<std::pair<std::string, Method>> known = {
-      {"quasi_static", Method::quasi_static}, {"periodic", Method::periodic},
-      {"midha", Method::midha},               {"transient", Method::transient},
+      {"quasi_static", Method::quasi_static},
+      {"periodic", Method::periodic},
+      {"midha", Method::midha},
+      {"transient", Method::transient},
       {"nonlinear", Method::nonlinear}};
   study.methods.clear();
   for (const Place& entry : read_list(reading, place, "methods")) {
@@ -59,10 +61,9 @@ void read_speeds(Reading& reading, TableReader& table, LinkageStudy& study) {
   if (const auto place = table.find("speed_fluctuation"))
     for (const Place& entry : read_list(reading, *place, "harmonics of the speed")) {
       TableReader harmonic(reading, entry, vocabulary::speed_harmonic());
-      study.fluctuation.push_back(
-          {harmonic.integer("order", 1),
-           harmonic.required_quantity("amplitude", dimensions::number),
-           harmonic.quantity("phase", dimensions::angle, 0.0)});
+      study.fluctuation.push_back({harmonic.integer("order", 1),
+                                   harmonic.required_quantity("amplitude", dimensions::number),
+                                   harmonic.quantity("phase", dimensions::angle, 0.0)});
     }
   if (const auto place = table.find("speeds")) {
     TableReader range(reading, *place, vocabulary::speeds());

@@ -40,8 +40,8 @@ struct LinkageStudy {
   std::size_t driver = 0;  ///< index into Model::drivers
   std::vector<Load> loads;
   Vec2 gravity;
-  int positions = 180;  ///< intervals of a turn
-  int elements = 3;     ///< per flexure, of beam elements
+  int positions = 180;                         ///< intervals of a turn
+  int elements = 3;                            ///< per flexure, of beam elements
   std::vector<ElementCount> flexure_elements;  ///< where it differs
   ModelingSettings modeling;
   std::vector<Method> methods = {Method::quasi_static, Method::periodic};
@@ -52,8 +52,8 @@ struct LinkageStudy {
   bool inertia_correction = true;  ///< of strains inside an element
   std::vector<SpeedHarmonic> fluctuation;
   std::optional<SpeedRange> speeds;
-  int modes = 6;                     ///< whose frequencies are found
-  std::optional<int> midha_modes;    ///< of Midha's method; none: all
+  int modes = 6;                   ///< whose frequencies are found
+  std::optional<int> midha_modes;  ///< of Midha's method
   Continuity continuity = Continuity::physical;
   int turns = 200;  ///< at most, of the transient
 

@@ -60,8 +60,9 @@ struct LinkageRules {
     for (std::size_t i = 0; i < study.loads.size(); ++i) {
       const KeyPath entry = path / "loads" / i;
       if (study.loads[i].constant)
-        mistakes.add(entry / "constant", "constant loads belong to studies of kind path; over a "
-                                         "turn, a load without an angle is always there");
+        mistakes.add(entry / "constant",
+                     "constant loads belong to studies of kind path; over a "
+                     "turn, a load without an angle is always there");
       check_history(study.loads[i].history, entry / "angle", mistakes);
       check_history_during(study.loads[i].history, 2.0 * std::numbers::pi, "turn", entry / "angle",
                            mistakes);
@@ -95,8 +96,9 @@ struct LinkageRules {
                                "transient have springs and dampers",
                                spring.name));
     if (needs_assembly(model))
-      mistakes.add(path / "kind", "a linkage turns as drawn, and this one has parts that do not fit "
-                                  "(misfit)");
+      mistakes.add(path / "kind",
+                   "a linkage turns as drawn, and this one has parts that do not fit "
+                   "(misfit)");
     mistakes.require_between(path / "positions", study.positions, 8, most_positions);
     mistakes.require_between(path / "modes", study.modes, 4, 1000);
     mistakes.require_between(path / "turns", study.turns, 1, 1000000);
@@ -104,9 +106,9 @@ struct LinkageRules {
       mistakes.require_between(path / "midha" / "modes", *study.midha_modes, 1, 1000);
     if (study.methods.empty()) mistakes.add(path / "methods", "a linkage needs a method");
     const DampingSettings& damping = study.damping;
-    for (const auto& [key, value] : {std::pair{"modal", damping.modal},
-                                     std::pair{"mass", damping.mass},
-                                     std::pair{"stiffness", damping.stiffness}})
+    for (const auto& [key, value] :
+         {std::pair{"modal", damping.modal}, std::pair{"mass", damping.mass},
+          std::pair{"stiffness", damping.stiffness}})
       mistakes.require_not_negative(path / "damping" / key, value);
     if (damping.modal >= 1.0)
       mistakes.add(path / "damping" / "modal", "must be less than 1, which is critical damping");

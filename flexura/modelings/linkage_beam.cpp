@@ -7,8 +7,8 @@
 namespace flexura {
 namespace {
 
-constexpr int gauss_points = 4;         // the square of a cubic
-constexpr int stations_per_link = 41;   // at least
+constexpr int gauss_points = 4;        // the square of a cubic
+constexpr int stations_per_link = 41;  // at least
 
 /// Shape functions of an element of length L at x in [0, 1]; `shear`: 12 EI/(GA_s L^2).
 /// Columns: deflection and rotation of the first node, then of the second.
@@ -174,8 +174,7 @@ ElasticLink::Reading BeamLink::axial_strain(int index, double /*x*/) const {
 void BeamLink::add_station(int index, double x) {
   const Element e = element(index);
   const Eigen::RowVectorXd along = axial_row(e, 1.0 - x, x);
-  const Eigen::RowVectorXd across =
-      bending_row(e, shapes_at(x, e.length, e.shear).deflection);
+  const Eigen::RowVectorXd across = bending_row(e, shapes_at(x, e.length, e.shear).deflection);
   ElasticLink::Station station;
   station.s = e.s + x * e.arc;
   station.place = e.start + (x * e.length) * e.along;

@@ -129,8 +129,7 @@ void PortLink::add_masses() {
     const Vec2 along = perp(drawn_.places[g]);
     Eigen::RowVectorXd rotation = (along.x * rows.row(0) + along.y * rows.row(1)) * inside_;
     rotation[2] += 1.0;
-    link_.slices.push_back(
-        {rotation, Eigen::RowVectorXd::Zero(n), 0.0, points[g].inertia});
+    link_.slices.push_back({rotation, Eigen::RowVectorXd::Zero(n), 0.0, points[g].inertia});
   }
   link_.slopes.resize(2 * static_cast<Eigen::Index>(of_places.size()), n);
   for (std::size_t k = 0; k < of_places.size(); ++k) {

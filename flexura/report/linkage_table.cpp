@@ -27,10 +27,10 @@ std::string stability_note(const LinkageResult& linkage, bool colour) {
   if (linkage.multipliers.empty()) return {};
   const double largest = std::abs(linkage.multipliers.front());
   const bool stable = largest < 1.0;
-  return note(fmt::format("largest multiplier of Floquet {}: {}", number(largest),
-                          stable ? "the periodic motion is stable"
-                                 : "the periodic motion is unstable"),
-              stable ? Ink::faint : Ink::bad, colour);
+  return note(
+      fmt::format("largest multiplier of Floquet {}: {}", number(largest),
+                  stable ? "the periodic motion is stable" : "the periodic motion is unstable"),
+      stable ? Ink::faint : Ink::bad, colour);
 }
 
 }  // namespace
@@ -53,18 +53,18 @@ std::string linkage_table(const Result& result, const StudyResult& study,
       worst = peak;
       where = k;
     }
-    cells.push_back(m.flexures.empty() ? ""
-                                       : fmt::format("{} at {:.0f} deg, {}", number(worst.value),
-                                                     worst.angle / degree,
-                                                     linkage.flexures[where]));
+    cells.push_back(m.flexures.empty()
+                        ? ""
+                        : fmt::format("{} at {:.0f} deg, {}", number(worst.value),
+                                      worst.angle / degree, linkage.flexures[where]));
     std::string notes = stop_note(m.termination, "", colour);
     if (m.iterations > 0)
       notes += note(fmt::format("{} {}", m.iterations, m.counted), Ink::faint, colour);
     if (!m.remark.empty()) notes += note(m.remark, Ink::bad, colour);
     lines.push_back({std::move(cells), m.termination.converged(), std::move(notes)});
   }
-  std::string text = headline(study, lines.empty() ? "" : linkage.modelings[linkage.reference].label,
-                              colour);
+  std::string text =
+      headline(study, lines.empty() ? "" : linkage.modelings[linkage.reference].label, colour);
   if (!lines.empty()) text += lay_out(titles, lines, colour);
   if (lines.empty()) return text + stop_note(study.termination, "", colour);
   text += bands_note(result, linkage, colour) + stability_note(linkage, colour);

@@ -12,14 +12,14 @@ namespace flexura {
 
 /// The linkage with rigid links at an angle of the drive. Rates are by time.
 struct RigidPosition {
-  double angle = 0.0;  ///< of the driven body, from its drawn position
-  std::vector<Pose> bodies;                    ///< in the order of LinkageResult::bodies
-  std::vector<std::vector<Vec2>> flexures;     ///< the axis of each, from base to action end
-  std::vector<Vec2> points;                    ///< in the order of LinkageResult::points
-  double torque = 0.0;         ///< on the driven body, that drives it
-  Vec2 shaking_force;          ///< of the moving masses on the frame
-  double shaking_moment = 0.0; ///< about the driven body's centre
-  std::vector<Vec2> reactions; ///< of each pin on the second of its two parts
+  double angle = 0.0;                        ///< of the driven body, from its drawn position
+  std::vector<Pose> bodies;                  ///< in the order of LinkageResult::bodies
+  std::vector<std::vector<Vec2>> flexures;   ///< the axis of each, from base to action end
+  std::vector<Vec2> points;                  ///< in the order of LinkageResult::points
+  double torque = 0.0;                       ///< on the driven body, that drives it
+  Vec2 shaking_force;                        ///< of the moving masses on the frame
+  double shaking_moment = 0.0;               ///< about the driven body's centre
+  std::vector<Vec2> reactions;               ///< of each pin on the second of its two parts
   std::optional<double> transmission_angle;  ///< of a four-bar, between coupler and follower
 };
 
@@ -29,7 +29,8 @@ struct FlexureCurves {
   std::vector<double> axial_strain;  ///< there
   std::vector<double> deflection;    ///< of mid-length across the line between the ends
   std::vector<double> stress;        ///< the largest absolute fibre stress anywhere along it
-  /// Stress of the fibres on the side of +n and of -n, over stations (columns) and positions (rows).
+  /// Stress of the fibres on the side of +n and of -n, over stations (columns) and positions
+  /// (rows).
   std::vector<std::vector<double>> upper_stress, lower_stress;
 };
 
@@ -51,8 +52,8 @@ struct LinkageMotion {
   /// Of bodies' centres and points from their rigid positions: positions, then places.
   std::vector<std::vector<Vec2>> bodies, points;
   int unknowns = 0;
-  int iterations = 0;  ///< what they are depends on the method: see `counted`
-  std::string counted; ///< "turns", "iterations of the coupling terms", ..
+  int iterations = 0;   ///< what they are depends on the method: see `counted`
+  std::string counted;  ///< "turns", "iterations of the coupling terms", ..
   double seconds = 0.0;
   std::optional<double> error_estimate;  ///< of strains, over the largest of their flexure
   std::optional<double> difference;      ///< in the same norm, against the method of reference
@@ -60,7 +61,7 @@ struct LinkageMotion {
 
 /// Multipliers of Floquet at one mean speed and, there, the largest strain of every flexure.
 struct SpeedState {
-  double speed = 0.0;  ///< rad per time
+  double speed = 0.0;                             ///< rad per time
   std::vector<std::complex<double>> multipliers;  ///< largest first
   std::vector<double> peak_strain;
   bool solved = true;  ///< false where the linkage buckles in the turn
@@ -68,17 +69,17 @@ struct SpeedState {
 
 /// One study of kind `linkage`.
 struct LinkageResult {
-  std::vector<std::string> bodies;    ///< that move
+  std::vector<std::string> bodies;  ///< that move
   std::vector<std::string> points;
   std::vector<std::string> flexures;
-  std::vector<std::string> pins;      ///< "crank.action on A", ..
+  std::vector<std::string> pins;                 ///< "crank.action on A", ..
   std::vector<std::optional<double>> strengths;  ///< of the flexures' materials
   std::vector<std::vector<double>> stations;     ///< arc lengths of each flexure's stresses
   std::string driver;
-  double speed = 0.0;     ///< mean, rad per time
-  std::string modeling;   ///< as the study names it, with its elements
-  std::string damping;    ///< a sentence
-  std::string grashof;    ///< of a four-bar: "crank-rocker", ..; else empty
+  double speed = 0.0;              ///< mean, rad per time
+  std::string modeling;            ///< as the study names it, with its elements
+  std::string damping;             ///< a sentence
+  std::string grashof;             ///< of a four-bar: "crank-rocker", ..; else empty
   std::vector<std::string> notes;  ///< findings of the whole study: sentences
   std::vector<RigidPosition> positions;
   /// Angular frequencies: positions, then ascending; those of a mode followed through the turn.

@@ -8,8 +8,8 @@
 namespace flexura {
 namespace {
 
-constexpr double closed = 1e-13;      // residual of the periodic motion
-constexpr double known_ritz = 1e-6;   // residual of a multiplier that counts as found
+constexpr double closed = 1e-13;     // residual of the periodic motion
+constexpr double known_ritz = 1e-6;  // residual of a multiplier that counts as found
 constexpr double no_multiplier = 1e-9;
 
 /// Arnoldi's orthonormal basis of a Krylov space, and what the map does in it.

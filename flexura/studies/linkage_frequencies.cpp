@@ -27,10 +27,10 @@ std::vector<std::size_t> follow(const Eigen::MatrixXd& before, const Eigen::Matr
 /// The largest x of -Kg v = x K v: the axial forces over those that buckle.
 double buckling_share(const LinkageTurn& turn, double angle, double speed) {
   const Eigen::MatrixXd& elastic = turn.matrices(angle).stiffness;
-  const Eigen::MatrixXd geometric = turn.system().stress_stiffness(
-      turn.state(angle), turn.static_displacement(angle, speed));
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      -geometric, elastic, Eigen::EigenvaluesOnly);
+  const Eigen::MatrixXd geometric =
+      turn.system().stress_stiffness(turn.state(angle), turn.static_displacement(angle, speed));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(-geometric, elastic,
+                                                                         Eigen::EigenvaluesOnly);
   return solver.eigenvalues().maxCoeff();
 }
 
@@ -45,9 +45,8 @@ void find_frequencies(const LinkageTurn& turn, const LinkageStudy& study, double
   double worst = 0.0;
   for (const double angle : turn.positions()) {
     const LinkageMatrices& m = turn.matrices(angle);
-    const Vibrations found =
-        dense_vibrations(turn.stiffness(angle, speed), m.mass,
-                         Eigen::MatrixXd(0, m.mass.cols()), count);
+    const Vibrations found = dense_vibrations(turn.stiffness(angle, speed), m.mass,
+                                              Eigen::MatrixXd(0, m.mass.cols()), count);
     std::vector<double> frequencies;
     for (Eigen::Index i = 0; i < found.squares.size(); ++i)
       frequencies.push_back(std::copysign(std::sqrt(std::abs(found.squares[i])), found.squares[i]));

@@ -10,15 +10,16 @@ namespace flexura {
 namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
-constexpr double settled = 1e-9;   // change over a turn, of the largest displacement
-constexpr int most_passes = 20;    // with the axial forces of the last
+constexpr double settled = 1e-9;  // change over a turn, of the largest displacement
+constexpr int most_passes = 20;   // with the axial forces of the last
 constexpr double same_motion = 1e-9;
 constexpr int transient_stages = 3;
 
 std::string buckles(double angle) {
-  return fmt::format("a link buckles at {:.4g} degrees of the drive: its axial force there is "
-                     "beyond what it bears. A lower speed or load, or a stiffer link, helps",
-                     angle * 180.0 / std::numbers::pi);
+  return fmt::format(
+      "a link buckles at {:.4g} degrees of the drive: its axial force there is "
+      "beyond what it bears. A lower speed or load, or a stiffer link, helps",
+      angle * 180.0 / std::numbers::pi);
 }
 
 /// By time, of what is by the angle.
@@ -65,8 +66,7 @@ class Oscillation {
 
 }  // namespace
 
-LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& /*study*/,
-                                   double speed) {
+LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& /*study*/, double speed) {
   LinkageSolution solution;
   for (const double angle : turn.positions()) {
     const LinkageMatrices& m = turn.matrices(angle);
@@ -154,9 +154,10 @@ LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, do
     if (!std::isfinite(change) || change > settled)
       solution.termination = {
           Status::stopped,
-          fmt::format("after {} turns the motion still changes by {:.2g} in a turn: more `turns`, or "
-                      "more damping, lets it settle, unless it grows",
-                      solution.iterations, change)};
+          fmt::format(
+              "after {} turns the motion still changes by {:.2g} in a turn: more `turns`, or "
+              "more damping, lets it settle, unless it grows",
+              solution.iterations, change)};
   } catch (const LinkageTurn::Buckled& buckled) {
     solution.termination = {Status::stopped, buckles(buckled.angle)};
   }

@@ -19,7 +19,7 @@ struct LinkageSolution {
 };
 
 /// Stages of Radau's rule in every interval of the periodic solution.
-inline constexpr int periodic_stages = 4;
+inline constexpr int periodic_stages = 6;
 
 LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& study, double speed);
 /// The periodic boundary-value problem.
@@ -27,7 +27,8 @@ LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, dou
 /// From rest in the quasi-static position, turn by turn, until nothing changes any more.
 LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, double speed,
                                 const std::function<bool(double)>& keep_going);
-/// Midha's intervals of frozen coefficients (Midha, Erdman and Frohrib 1979; Turcic and Midha 1984).
+/// Midha's intervals of frozen coefficients (Midha, Erdman and Frohrib 1979; Turcic and Midha
+/// 1984).
 LinkageSolution solve_midha(LinkageTurn& turn, const LinkageStudy& study, double speed);
 
 /// Natural frequencies at all positions, ascending, and followed by their shapes.

@@ -10,16 +10,21 @@ namespace {
 
 constexpr int most_iterations = 200;
 constexpr double agreed = 1e-10;
+// Stretching modes are left to follow their load: displacements that are carried over to the next
+// interval strain links that have turned by then, by the square of nothing small.
+constexpr int default_modes = 4;
 
 /// An interval with the matrices of its middle: modes that are damped oscillators by themselves.
 struct FrozenInterval {
   double time = 0.0;
-  Eigen::MatrixXd shapes;   // mass-normalised columns
-  Eigen::MatrixXd weighted; // mass * shapes
+  Eigen::MatrixXd shapes;              // mass-normalised columns
+  Eigen::MatrixXd weighted;            // mass * shapes
   Eigen::VectorXd frequency, damping;  // damping: the share of critical
   Eigen::MatrixXd turning, carrying;   // coupling terms by u' and u
   Eigen::VectorXd load;
-  Eigen::VectorXd modal_load;  // with the coupling terms of the last iteration
+  // with the coupling terms of the last iteration:
+  Eigen::VectorXd whole_load, modal_load;
+  Eigen::LDLT<Eigen::MatrixXd> stiffness;
 };
 
 /// Modal coordinates and their rates.
@@ -46,6 +51,12 @@ ModalState advance(const FrozenInterval& interval, const ModalState& start, bool
   return end;
 }
 
+/// Displacements by the modes that were left out: they follow the load as at rest.
+Eigen::VectorXd left_out(const FrozenInterval& interval) {
+  const Eigen::VectorXd kept = interval.modal_load.array() / interval.frequency.array().square();
+  return interval.stiffness.solve(interval.whole_load) - interval.shapes * kept;
+}
+
 class Midha {
  public:
   Midha(LinkageTurn& turn, const LinkageStudy& study, double speed)
@@ -58,6 +69,7 @@ class Midha {
   /// From the end of an interval to the start of the next.
   ModalState carry_over(std::size_t from, const ModalState& state) const;
   ModalState over_turn(ModalState state, bool loaded) const;
+  void factorize_turn();
   ModalState periodic_start() const;
   void load_with(const std::vector<ElasticState>& last, const std::vector<Eigen::VectorXd>& rates);
 
@@ -67,15 +79,15 @@ class Midha {
   std::vector<double> ends_;
   std::vector<FrozenInterval> intervals_;
   std::optional<double> buckled_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> turn_factor_;
 };
 
 bool Midha::freeze(double angle, double length) {
   const LinkageMatrices& m = turn_.matrices(angle);
   const Eigen::MatrixXd stiffness = turn_.stiffness(angle, speed_);
-  const int all = static_cast<int>(m.mass.rows());
-  const Vibrations modes =
-      dense_vibrations(stiffness, m.mass, Eigen::MatrixXd(0, m.mass.cols()),
-                       std::min(study_.midha_modes.value_or(all), all));
+  const Vibrations modes = dense_vibrations(
+      stiffness, m.mass, Eigen::MatrixXd(0, m.mass.cols()),
+      std::min(study_.midha_modes.value_or(default_modes), static_cast<int>(m.mass.rows())));
   if (!modes.found || modes.squares.size() == 0 || modes.squares[0] <= 0.0) {
     buckled_ = angle;
     return false;
@@ -91,7 +103,9 @@ bool Midha::freeze(double angle, double length) {
   interval.turning = speed_ * m.turning;
   interval.carrying = speed_ * speed_ * m.carrying;
   interval.load = m.load + speed_ * speed_ * m.inertia_load;
+  interval.whole_load = interval.load;
   interval.modal_load = interval.shapes.transpose() * interval.load;
+  interval.stiffness.compute(stiffness);
   // one sign from interval to interval
   if (!intervals_.empty())
     for (Eigen::Index i = 0; i < interval.shapes.cols(); ++i)
@@ -127,22 +141,26 @@ ModalState Midha::over_turn(ModalState state, bool loaded) const {
   return state;
 }
 
-/// The map of a turn is affine: its columns one by one.
-ModalState Midha::periodic_start() const {
+/// 1 - the map of a turn without loads, column by column.
+void Midha::factorize_turn() {
   const Eigen::Index m = intervals_.front().frequency.size();
-  const ModalState rest{Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)};
-  const ModalState loaded = over_turn(rest, true);
-  Eigen::VectorXd right(2 * m);
-  right << loaded.value, loaded.rate;
   Eigen::MatrixXd system = Eigen::MatrixXd::Identity(2 * m, 2 * m);
   for (Eigen::Index j = 0; j < 2 * m; ++j) {
-    ModalState unit = rest;
+    ModalState unit{Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)};
     (j < m ? unit.value[j] : unit.rate[j - m]) = 1.0;
     const ModalState after = over_turn(unit, false);
     system.col(j).head(m) -= after.value;
     system.col(j).tail(m) -= after.rate;
   }
-  const Eigen::VectorXd start = system.partialPivLu().solve(right);
+  turn_factor_.compute(system);
+}
+
+ModalState Midha::periodic_start() const {
+  const Eigen::Index m = intervals_.front().frequency.size();
+  const ModalState loaded = over_turn({Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)}, true);
+  Eigen::VectorXd right(2 * m);
+  right << loaded.value, loaded.rate;
+  const Eigen::VectorXd start = turn_factor_.solve(right);
   return {start.head(m), start.tail(m)};
 }
 
@@ -153,8 +171,8 @@ void Midha::load_with(const std::vector<ElasticState>& last,
     FrozenInterval& interval = intervals_[k];
     const Eigen::VectorXd u = 0.5 * (last[k].q + last[k + 1].q);
     const Eigen::VectorXd v = 0.5 * (rates[k] + rates[k + 1]);
-    interval.modal_load = interval.shapes.transpose() *
-                          (interval.load - interval.turning * v - interval.carrying * u);
+    interval.whole_load = interval.load - interval.turning * v - interval.carrying * u;
+    interval.modal_load = interval.shapes.transpose() * interval.whole_load;
   }
 }
 
@@ -167,6 +185,7 @@ LinkageSolution Midha::solve() {
                               fmt::format("a link buckles at {:.4g} rad of the drive", *buckled_)};
     return solution;
   }
+  factorize_turn();
   std::vector<ElasticState> states;
   std::vector<Eigen::VectorXd> rates;
   double change = 1.0;
@@ -180,7 +199,7 @@ LinkageSolution Midha::solve() {
           interval.modal_load.array() -
           2.0 * interval.damping.array() * interval.frequency.array() * state.rate.array() -
           interval.frequency.array().square() * state.value.array();
-      now.push_back({interval.shapes * state.value, interval.shapes * second});
+      now.push_back({interval.shapes * state.value + left_out(interval), interval.shapes * second});
       now_rates.push_back(interval.shapes * state.rate);
       if (k < intervals_.size()) state = carry_over(k, advance(interval, state, true));
     }

@@ -54,8 +54,8 @@ void record_forces(const LinkageTurn& turn, double speed, RigidPosition& positio
   const Eigen::MatrixXd jacobian = rigid.jacobian(state);
   const Eigen::Index n = jacobian.cols();
   const auto inertia = system.inertia_forces(state, turn.drive(position.angle), speed);
-  const Eigen::VectorXd needed = by_columns(rigid, inertia, n) -
-                                 by_columns(rigid, system.load_forces(state), n);
+  const Eigen::VectorXd needed =
+      by_columns(rigid, inertia, n) - by_columns(rigid, system.load_forces(state), n);
   const Eigen::MatrixXd transposed = jacobian.leftCols(n - 1).transpose();
   const Eigen::VectorXd carried =
       transposed.completeOrthogonalDecomposition().solve(needed.head(n - 1));
@@ -149,7 +149,8 @@ Eigen::MatrixXd middle_strains(const LinkageStudy& study, const LinkageTurn& tur
   Eigen::MatrixXd strains(static_cast<Eigen::Index>(states.size()),
                           static_cast<Eigen::Index>(turn.system().layout().members.size()));
   for (std::size_t i = 0; i < states.size(); ++i)
-    strains.row(static_cast<Eigen::Index>(i)) = strains_at(study, turn, angles[i], speed, states[i]);
+    strains.row(static_cast<Eigen::Index>(i)) =
+        strains_at(study, turn, angles[i], speed, states[i]);
   return strains;
 }
 

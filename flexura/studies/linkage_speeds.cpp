@@ -33,7 +33,8 @@ SpeedState at_speed(const LinkageTurn& turn, const LinkageStudy& study,
       const double w = speed * drive.rate;
       const Eigen::VectorXd second =
           w * w * states[k].second + speed * speed * drive.rate * drive.slope * states[k].first;
-      const Eigen::RowVectorXd strains = strains_at(study, turn, ends[k], speed, {states[k].u, second});
+      const Eigen::RowVectorXd strains =
+          strains_at(study, turn, ends[k], speed, {states[k].u, second});
       for (std::size_t m = 0; m < members.size(); ++m)
         state.peak_strain[m] =
             std::max(state.peak_strain[m], std::abs(strains[static_cast<Eigen::Index>(m)]));

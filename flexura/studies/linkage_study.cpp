@@ -106,7 +106,7 @@ double strain_distance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 /// Against a linkage of finer flexures.
 std::optional<double> Linkage::estimate(Method method,
                                         const std::vector<ElasticState>& states) const {
-  if (method == Method::transient) return {};
+  if (method != Method::quasi_static && method != Method::periodic) return {};
   LinkageTurn finer(model_, study_, true);
   if (finer.system().size() > most_estimated || !finer.visit(finer.positions())) return {};
   const LinkageSolution fine = solve(method, finer);
@@ -140,8 +140,7 @@ LinkageMotion Linkage::solve_and_record(Method method) {
   motion.iterations = solution.iterations;
   motion.counted = solution.counted;
   motion.remark = solution.remark;
-  motion.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  motion.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (solution.states.empty()) return motion;
   record_elastic_motion(model_, study_, turn_, solution.states, motion);
   warn_of_large_deflections(motion);
@@ -157,7 +156,8 @@ void Linkage::compare() {
                         static_cast<Eigen::Index>(motion.flexures.size()));
     for (Eigen::Index m = 0; m < all.cols(); ++m)
       for (Eigen::Index i = 0; i < all.rows(); ++i)
-        all(i, m) = motion.flexures[static_cast<std::size_t>(m)].strain[static_cast<std::size_t>(i)];
+        all(i, m) =
+            motion.flexures[static_cast<std::size_t>(m)].strain[static_cast<std::size_t>(i)];
     return all;
   };
   for (std::size_t k = 0; k < result_.modelings.size(); ++k)

@@ -43,8 +43,8 @@ bool LinkageTurn::visit(std::vector<double> angles) {
   std::optional<RigidFailure> failure;
   const std::vector<RigidState> states = system_.rigid().trace(angles, failure);
   for (std::size_t k = 0; k < states.size(); ++k)
-    visits_.push_back({angles[k], states[k],
-                       system_.matrices(states[k], drive(angles[k]), study_.coupling)});
+    visits_.push_back(
+        {angles[k], states[k], system_.matrices(states[k], drive(angles[k]), study_.coupling)});
   std::sort(visits_.begin(), visits_.end(),
             [](const Visit& a, const Visit& b) { return a.angle < b.angle; });
   if (failure) failure_ = failure;
@@ -89,8 +89,7 @@ std::optional<Eigen::MatrixXd> LinkageTurn::damping(double angle,
   if (settings.modal == 0.0) return sum;
   Eigen::MatrixXd scaled = root.matrixL().solve(m.mass);
   scaled = root.matrixL().solve(scaled.transpose()).eval();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.5 *
-                                                             (scaled + scaled.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.5 * (scaled + scaled.transpose()));
   const Eigen::MatrixXd shapes = root.matrixL() * modes.eigenvectors();
   const Eigen::VectorXd weights = modes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
   return sum + 2.0 * settings.modal * shapes * weights.asDiagonal() * shapes.transpose();
@@ -127,8 +126,7 @@ std::vector<double> LinkageTurn::interval_ends(int parts) const {
   sort_apart(ends);
   std::vector<double> cut;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-    for (int i = 0; i < parts; ++i)
-      cut.push_back(ends[k] + (ends[k + 1] - ends[k]) * i / parts);
+    for (int i = 0; i < parts; ++i) cut.push_back(ends[k] + (ends[k + 1] - ends[k]) * i / parts);
   cut.push_back(ends.back());
   return cut;
 }
