@@ -148,30 +148,18 @@ void LinkPort::add_moved_element(const LinkBlock& block, std::size_t element,
   const std::size_t per = block.tables.nodes_per_element();
   std::vector<std::size_t> unknowns;
   mesh_.element_unknowns(block, element, unknowns);
-  const auto n = static_cast<Eigen::Index>(2 * per);
-  const auto m = static_cast<Eigen::Index>(unknowns.size());
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(n, m);
+  const Eigen::MatrixXd slopes = mesh_.slopes(block, element, work.turn);
+  const Eigen::Index n = slopes.rows();
+  const Eigen::Index m = slopes.cols();
   Eigen::VectorXd misfit = Eigen::VectorXd::Zero(n);
   double second = 0.0;  // by the turn, of what the forces work on
-  Eigen::Index own = 0;
   for (std::size_t a = 0; a < per; ++a) {
     const std::size_t node = block.nodes[element * per + a];
-    const std::size_t first = mesh_.unknown[node];
-    const auto row = static_cast<Eigen::Index>(2 * a);
-    if (first == LinkMesh::at_base) continue;
-    const bool moved = first == LinkMesh::at_action;
-    const Eigen::Index column = moved ? m - 3 : own;
-    slopes(row, column) = slopes(row + 1, column + 1) = mesh_.length;
-    if (!moved) {
-      own += 2;
-      continue;
-    }
-    const Vec2 lack = turned(work.short_of, mesh_.nodes[node] - mesh_.chord);
-    misfit.segment<2>(row) << lack.x, lack.y;
-    const Vec2 arm = rotate(work.turn, mesh_.nodes[node] - mesh_.chord);
-    slopes(row, m - 1) = -arm.y;
-    slopes(row + 1, m - 1) = arm.x;
-    second -= dot(arm, {tangent.forces[2 * a], tangent.forces[2 * a + 1]});
+    if (mesh_.unknown[node] != LinkMesh::at_action) continue;
+    const Vec2 arm = mesh_.nodes[node] - mesh_.chord;
+    const Vec2 lack = turned(work.short_of, arm);
+    misfit.segment<2>(static_cast<Eigen::Index>(2 * a)) << lack.x, lack.y;
+    second -= dot(rotate(work.turn, arm), {tangent.forces[2 * a], tangent.forces[2 * a + 1]});
   }
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
       stiffness(tangent.stiffness.data(), n, n);
