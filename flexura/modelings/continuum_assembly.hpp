@@ -35,9 +35,9 @@ class ElementAssembly {
   }
 
   /// In motion: strains are those of the places, and enhanced ones, which have no mass, at any
-  /// moment where the energy is least.
+  /// moment where the energy is least. `strains` receives both together, if it is not null.
   void settle(std::size_t element, const Vec2* places, const EnhancedStrains* modes,
-              ElementTangent& out) {
+              ElementTangent& out, double* strains = nullptr) {
     std::array<double, enhanced_modes> enhanced{};
     for (int k = 0; k < 10; ++k) {
       assemble(element, {places, nullptr, enhanced.data()}, modes, out, nullptr);
@@ -48,6 +48,10 @@ class ElementAssembly {
       }
       if (rest < 1e-14) break;
     }
+    if (!strains) return;
+    const std::vector<double> none(3 * mesh_.points.size(), 0.0);  // so that gaps are the strains
+    ElementTangent unused;
+    assemble(element, {places, none.data(), enhanced.data()}, modes, unused, strains);
   }
 
  private:

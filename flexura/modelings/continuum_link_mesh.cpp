@@ -1,6 +1,7 @@
 #include "flexura/modelings/continuum_link_mesh.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace flexura {
@@ -29,8 +30,27 @@ ElementTables make_tables(ElementKind kind, std::vector<ElementPoint> points) {
   return tables;
 }
 
-LinkMesh::LinkMesh(const MeshLink& link) : depth(link.depth) {
-  const LineAxis axis = link_axis(link);
+std::vector<Vec2> block_places(ElementKind kind) {
+  const std::vector<Vec2> own = reference_nodes(kind);
+  std::vector<Vec2> places;
+  for (std::size_t a = 0; a < own.size(); ++a) places.push_back(own[own_node(kind, a)]);
+  return places;
+}
+
+std::vector<double> through_points(ElementKind kind, Vec2 place) {
+  if (kind == ElementKind::triangle3) return {1.0};
+  if (kind == ElementKind::triangle6) {  // points at (1, 1), (4, 1) and (1, 4) sixths
+    const double x = 2.0 * place.x - 1.0 / 3.0, y = 2.0 * place.y - 1.0 / 3.0;
+    return {1.0 - x - y, x, y};
+  }
+  const std::size_t count = kind == ElementKind::quad4 ? 2 : 3;
+  std::vector<double> values;
+  for (const double x : through_gauss(count, place.x))
+    for (const double y : through_gauss(count, place.y)) values.push_back(x * y);
+  return values;
+}
+
+LinkMesh::LinkMesh(const MeshLink& link, const LineAxis& axis) : depth(link.depth) {
   chord = axis.end - axis.start;
   length = norm(chord);
   for (const Vec2 place : link.mesh.nodes) nodes.push_back(place - axis.start);
@@ -135,6 +155,28 @@ void LinkMesh::make_pattern() {
     const int* end = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column + 1];
     places.push_back(static_cast<int>(std::lower_bound(begin, end, row) - pattern.innerIndexPtr()));
   });
+}
+
+std::vector<LinkSide> border_sides(const LinkMesh& mesh) {
+  std::map<std::pair<std::size_t, std::size_t>, LinkSide> sides;
+  for (const LinkBlock& block : mesh.blocks) {
+    const std::size_t per = block.tables.nodes_per_element();
+    const std::size_t corners = corners_of(block.kind);
+    constexpr std::size_t around[4] = {0, 2, 3, 1};  // of four-node elements, counter-clockwise
+    for (std::size_t e = 0; e < block.elements(); ++e)
+      for (std::size_t a = 0; a < corners; ++a) {
+        const std::size_t* own = block.nodes.data() + e * per;
+        const auto corner = [&](std::size_t k) {
+          return own[block.kind == ElementKind::quad4 ? around[k % corners] : k % corners];
+        };
+        const LinkSide side{corner(a), per > corners ? own[corners + a] : LinkSide::none,
+                            corner(a + 1)};
+        if (sides.erase({side.to, side.from}) == 0) sides[{side.from, side.to}] = side;
+      }
+  }
+  std::vector<LinkSide> border;
+  for (const auto& [ends, side] : sides) border.push_back(side);
+  return border;
 }
 
 }  // namespace flexura

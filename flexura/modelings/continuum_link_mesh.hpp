@@ -24,12 +24,17 @@ struct LinkBlock {
 /// Shape functions of elements of a kind at their quadrature points, nodes in the order of
 /// LinkBlock.
 ElementTables make_tables(ElementKind kind, std::vector<ElementPoint> points);
+/// Where the nodes are in reference coordinates, in that order.
+std::vector<Vec2> block_places(ElementKind kind);
+/// Polynomials through the quadrature points of an element's stiffness, at a reference place.
+std::vector<double> through_points(ElementKind kind, Vec2 place);
 
 /// A link's mesh, its unknowns and the pattern of its tangent, all worked out before any load.
 /// Places count from the base end. Unknowns: displacements of the nodes that are not attached, over
 /// the length, then the pose of the action end (x and y over the length, rotation).
 struct LinkMesh {
-  explicit LinkMesh(const MeshLink& link);
+  explicit LinkMesh(const MeshLink& link) : LinkMesh(link, link_axis(link)) {}
+  LinkMesh(const MeshLink& link, const LineAxis& axis);
 
   static constexpr std::size_t at_base = static_cast<std::size_t>(-1);
   static constexpr std::size_t at_action = static_cast<std::size_t>(-2);
@@ -64,5 +69,15 @@ struct LinkMesh {
   void add_blocks(const PlaneMesh& mesh);
   void make_pattern();
 };
+
+/// A side of an element, material on its left.
+struct LinkSide {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t from = 0;
+  std::size_t middle = none;  ///< of quadratic elements
+  std::size_t to = 0;
+};
+/// Where the mesh ends.
+std::vector<LinkSide> border_sides(const LinkMesh& mesh);
 
 }  // namespace flexura
