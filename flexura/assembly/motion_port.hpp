@@ -87,6 +87,11 @@ class MotionPort {
     return axis;
   }
 
+  /// As TwoPort::stress_field.
+  virtual std::optional<StressField> stress_field(const double* /*y*/) const {
+    return std::nullopt;
+  }
+
   /// Internal unknowns near a state of the modeling's TwoPort, from its sections and its own
   /// internal unknowns.
   virtual std::vector<double> adopt(std::span<const SectionState> sections,

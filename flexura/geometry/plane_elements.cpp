@@ -135,4 +135,20 @@ std::vector<ElementPoint> quadrature_of(ElementKind kind) {
   return points;
 }
 
+std::vector<ElementPoint> mass_quadrature_of(ElementKind kind) {
+  if (kind == ElementKind::triangle3) return quadrature_of(ElementKind::triangle6);
+  if (kind != ElementKind::triangle6) return quadrature_of(kind);
+  // of degree 4 (Dunavant, Int. J. Num. Meth. Eng. 21, 1985): two orbits of three points
+  std::vector<ElementPoint> points;
+  for (const double sign : {1.0, -1.0}) {
+    const double root = std::sqrt(38.0 - 44.0 * std::sqrt(0.4));
+    const double a = (8.0 - std::sqrt(10.0) + sign * root) / 18.0;
+    const double weight = (620.0 + sign * std::sqrt(213125.0 - 53320.0 * std::sqrt(10.0))) / 7440.0;
+    points.push_back({a, a, weight});
+    points.push_back({1.0 - 2.0 * a, a, weight});
+    points.push_back({a, 1.0 - 2.0 * a, weight});
+  }
+  return points;
+}
+
 }  // namespace flexura

@@ -37,5 +37,7 @@ struct ElementPoint {
 };
 /// As many as integrate the stiffness of an undistorted element exactly.
 std::vector<ElementPoint> quadrature_of(ElementKind kind);
+/// As many as integrate its mass, the square of the shape functions, exactly.
+std::vector<ElementPoint> mass_quadrature_of(ElementKind kind);
 
 }  // namespace flexura

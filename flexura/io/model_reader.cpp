@@ -43,8 +43,9 @@ bool has_strips(const TableReader& table) {
   const auto flexures = table.find("flexures");
   const auto* entries = flexures ? flexures->node->table() : nullptr;
   if (!entries || entries->empty()) return true;
-  return std::any_of(entries->begin(), entries->end(),
-                     [](const TomlEntry& entry) { return !entry.node.find("mesh"); });
+  return std::any_of(entries->begin(), entries->end(), [](const TomlEntry& entry) {
+    return !entry.node.find("mesh") && !entry.node.find("outline");
+  });
 }
 
 Model read_tables(Reading& reading, TableReader& table, const ParameterOverrides& overrides) {

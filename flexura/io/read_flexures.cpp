@@ -3,6 +3,7 @@
 #include "flexura/core/nearest_word.hpp"
 #include "flexura/io/read_entities.hpp"
 #include "flexura/io/read_link.hpp"
+#include "flexura/io/read_outline.hpp"
 #include "flexura/io/table_reader.hpp"
 
 namespace flexura {
@@ -76,14 +77,21 @@ std::size_t read_reference(Reading& reading, TableReader& table, const char* key
   return name ? index.resolve(reading, *place, *name) : NameIndex::none;
 }
 
-/// Without a mesh after a mistake the flexure stays a strip, which no rule looks at.
-void read_mesh(Reading& reading, TableReader& table, Flexure& flexure) {
+bool is_link(const TableReader& table) { return table.has("mesh") || table.has("outline"); }
+
+/// A `mesh` or an `outline`. Without one after a mistake the flexure stays a strip, which no rule
+/// looks at.
+void read_link(Reading& reading, TableReader& table, Flexure& flexure) {
   for (const char* key : {"axis", "section"})
     if (table.has(key))
       reading.report_key(table.path(), key, table.position(key),
-                         "a flexure is a mesh, or has an axis and a section");
+                         "a flexure is a mesh or an outline, or has an axis and a section");
+  if (table.has("mesh") && table.has("outline"))
+    reading.report_key(table.path(), "outline", table.position("outline"),
+                       "a flexure is a mesh or an outline, not both");
   flexure.section = NameIndex::none;
-  flexure.link = read_mesh_link(reading, *table.find("mesh"));
+  flexure.link = table.has("mesh") ? read_mesh_link(reading, *table.find("mesh"))
+                                   : read_outline_link(reading, *table.find("outline"));
   if (flexure.link && !find_mesh_fault(*flexure.link)) {
     flexure.axis = link_axis(*flexure.link);
     return;
@@ -151,12 +159,12 @@ std::vector<Flexure> read_flexures(Reading& reading, const Place& place, const N
       read_pinned(reading, *pinned, between ? texts_in(*between->node) : std::vector<std::string>{},
                   flexure);
     }
-    if (!table.has("mesh")) {
+    if (!is_link(table)) {
       if (const auto axis = table.require("axis")) flexure.axis = read_axis(reading, *axis);
     }
     flexure.material = read_reference(reading, table, "material", names.materials);
-    if (table.has("mesh"))
-      read_mesh(reading, table, flexure);
+    if (is_link(table))
+      read_link(reading, table, flexure);
     else
       flexure.section = read_reference(reading, table, "section", names.sections);
     flexure.misfit = table.vector("misfit", dimensions::length, {});

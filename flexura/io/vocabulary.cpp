@@ -75,14 +75,29 @@ const Vocabulary& body() {
 }
 
 const Vocabulary& flexure() {
-  static const Vocabulary v{
-      {"between", "pinned", "axis", "material", "section", "mesh", "misfit", "misfit_rotation"},
-      {"outline"}};
+  static const Vocabulary v{{"between", "pinned", "axis", "material", "section", "mesh", "outline",
+                             "misfit", "misfit_rotation"},
+                            {}};
   return v;
 }
 
 const Vocabulary& mesh() {
   static const Vocabulary v{{"file", "part", "base", "action", "depth", "unit"}, {}};
+  return v;
+}
+
+const Vocabulary& outline() {
+  static const Vocabulary v{{"border", "holes", "base", "action", "depth", "size", "order"}, {}};
+  return v;
+}
+
+const Vocabulary& outline_side() {
+  static const Vocabulary v{{"to", "sweep", "fillet", "edge"}, {}};
+  return v;
+}
+
+const Vocabulary& outline_hole() {
+  static const Vocabulary v{{"centre", "radius", "border", "edge"}, {}};
   return v;
 }
 

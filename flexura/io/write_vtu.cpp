@@ -14,6 +14,7 @@
 namespace flexura {
 namespace {
 
+constexpr std::uint8_t vtk_triangle = 5;
 constexpr std::uint8_t vtk_quad = 9;
 
 /// What the grid has of every node, flexure by flexure.
@@ -23,13 +24,14 @@ void for_nodes(const FieldState& fields, const Visit& visit) {
     for (std::size_t k = 0; k < field.stresses.size(); ++k) visit(field, k);
 }
 
-/// Likewise of every quadrilateral: `first` is the number of its flexure's first node.
+/// Likewise of every piece: `first` is the number of its flexure's first node.
 template <class Visit>
-void for_quads(const FieldState& fields, const Visit& visit) {
+void for_pieces(const FieldState& fields, const Visit& visit) {
   std::size_t first = 0;
   for (const auto& [flexure, field] : fields.flexures) {
-    for (std::size_t c = 0; c + 1 < field.columns; ++c)
-      for (std::size_t r = 0; r + 1 < field.rows; ++r) visit(flexure, field, first, c, r);
+    field.for_pieces([&, index = flexure, &of = field](const StressField::Piece& piece) {
+      visit(index, of, first, piece);
+    });
     first += field.stresses.size();
   }
 }
@@ -109,10 +111,10 @@ std::string cell_data(const FieldState& fields, AppendedArrays& arrays) {
   for (const auto& [flexure, field] : fields.flexures) energy += field.energy;
   std::vector<std::int32_t> flexures;
   std::vector<double> errors;
-  for_quads(fields, [&](std::size_t flexure, const StressField& field, std::size_t /*first*/,
-                        std::size_t c, std::size_t r) {
+  for_pieces(fields, [&](std::size_t flexure, const StressField& field, std::size_t /*first*/,
+                         const StressField::Piece& piece) {
     flexures.push_back(static_cast<std::int32_t>(flexure));
-    const double error = field.error_energies[field.element(c, r)];
+    const double error = field.error_energies[piece.element];
     errors.push_back(energy > 0.0 ? std::sqrt(error / energy) : 0.0);
   });
   std::string text = "      <CellData>\n";
@@ -129,17 +131,18 @@ std::string grid(const FieldState& fields, AppendedArrays& arrays) {
                      }));
   text += "      </Points>\n      <Cells>\n";
   std::vector<std::int32_t> corners;
-  for_quads(fields, [&](std::size_t /*flexure*/, const StressField& field, std::size_t first,
-                        std::size_t c, std::size_t r) {
-    for (const std::size_t node :
-         {field.node(c, r), field.node(c + 1, r), field.node(c + 1, r + 1), field.node(c, r + 1)})
-      corners.push_back(static_cast<std::int32_t>(first + node));
-  });
   std::vector<std::int32_t> ends;
-  for (std::size_t k = 4; k <= corners.size(); k += 4) ends.push_back(static_cast<int>(k));
+  std::vector<std::uint8_t> types;
+  for_pieces(fields, [&](std::size_t /*flexure*/, const StressField& /*field*/, std::size_t first,
+                         const StressField::Piece& piece) {
+    for (std::size_t k = 0; k < piece.corners; ++k)
+      corners.push_back(static_cast<std::int32_t>(first + piece.nodes[k]));
+    ends.push_back(static_cast<std::int32_t>(corners.size()));
+    types.push_back(piece.corners == 3 ? vtk_triangle : vtk_quad);
+  });
   text += arrays.add("connectivity", "", corners);
   text += arrays.add("offsets", "", ends);
-  text += arrays.add("types", "", std::vector<std::uint8_t>(ends.size(), vtk_quad));
+  text += arrays.add("types", "", types);
   return text + "      </Cells>\n";
 }
 
@@ -169,7 +172,7 @@ std::string make_vtu(const FieldState& fields, double time) {
   std::size_t cells = 0;
   for (const auto& [flexure, field] : fields.flexures) {
     points += field.stresses.size();
-    cells += (field.columns - 1) * (field.rows - 1);
+    field.for_pieces([&](const StressField::Piece& /*piece*/) { ++cells; });
   }
   AppendedArrays arrays;
   std::string text = fmt::format(

@@ -38,10 +38,13 @@ struct MotionRules {
                                  modelings[m].label));
     }
     for (const Flexure& flexure : model.flexures)
-      if (flexure.link)
-        mistakes.add(path / "kind", fmt::format("flexure '{}' is a mesh, and meshes have no masses "
-                                                "yet: studies of motion take strips",
-                                                flexure.name));
+      for (std::size_t m = 0; flexure.link && m < modelings.size(); ++m)
+        if (std::holds_alternative<LinearSettings>(modelings[m].kind) ||
+            std::holds_alternative<ScmbmSettings>(modelings[m].kind))
+          mistakes.add(path / "modelings" / m,
+                       fmt::format("flexure '{}' is a mesh, whose mass only modeling continuum "
+                                   "moves",
+                                   flexure.name));
     check_load_ratios(modelings, "in motion", path, mistakes);
     check_modelings(model, modelings, reference, path, mistakes);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "flexura/modelings/continuum_element.hpp"
@@ -31,6 +32,26 @@ class ElementAssembly {
                 gaps ? gaps + 3 * g : nullptr);
     if constexpr (Nodes == 0) interleave(out);
     if (modes) eliminate_enhanced(out);
+  }
+
+  /// In motion: strains are those of the places, and enhanced ones, which have no mass, at any
+  /// moment where the energy is least. `strains` receives both together, if it is not null.
+  void settle(std::size_t element, const Vec2* places, const EnhancedStrains* modes,
+              ElementTangent& out, double* strains = nullptr) {
+    std::array<double, enhanced_modes> enhanced{};
+    for (int k = 0; k < 10; ++k) {
+      assemble(element, {places, nullptr, enhanced.data()}, modes, out, nullptr);
+      double rest = 0.0;
+      for (std::size_t m = 0; modes && m < enhanced_modes; ++m) {
+        enhanced[m] -= out.rest[m];
+        rest = std::max(rest, std::abs(out.rest[m]));
+      }
+      if (rest < 1e-14) break;
+    }
+    if (!strains) return;
+    const std::vector<double> none(3 * mesh_.points.size(), 0.0);  // so that gaps are the strains
+    ElementTangent unused;
+    assemble(element, {places, none.data(), enhanced.data()}, modes, unused, strains);
   }
 
  private:

@@ -7,7 +7,9 @@
 #include "flexura/modelings/continuum_assembly.hpp"
 #include "flexura/modelings/continuum_law.hpp"
 #include "flexura/modelings/continuum_link_factor.hpp"
+#include "flexura/modelings/continuum_link_field.hpp"
 #include "flexura/modelings/continuum_link_mesh.hpp"
+#include "flexura/modelings/continuum_link_refined.hpp"
 #include "flexura/modelings/link_compliance.hpp"
 
 namespace flexura {
@@ -20,7 +22,8 @@ namespace {
 /// over.
 class LinkPort final : public TwoPort {
  public:
-  LinkPort(const MeshLink& link, const Material& material, const ContinuumSettings& settings);
+  LinkPort(const MeshLink& link, const LineAxis& axis, const Material& material,
+           const ContinuumSettings& settings);
 
   std::size_t internal_size() const override { return turned_ + 2; }
   std::size_t nodal_size() const override { return mesh_.size(); }
@@ -39,6 +42,13 @@ class LinkPort final : public TwoPort {
   }
   std::vector<Vec2> drawn_axis(std::span<const SectionState> sections,
                                std::span<const double> internal) const override;
+  std::optional<StressField> stress_field(std::span<const double> internal) const override {
+    return recover_link_stress(mesh_, material_, settings_, places_at(internal.data()),
+                               internal.data() + strains_);
+  }
+  std::shared_ptr<const TwoPort> refined() const override;
+  void prolong(std::span<const double> internal, std::span<double> refined) const override;
+  double error_ratio() const override { return link_error_ratio; }
 
  private:
   /// Of what a linearization works on. `short_of` is what the turn of the action nodes lacks.
@@ -59,6 +69,7 @@ class LinkPort final : public TwoPort {
   static Vec2 turned(Vec2 turn, Vec2 arm) { return turn.x * arm + turn.y * perp(arm); }
   Vec2 turn_of_nodes(const double* y) const { return {1.0 + y[turned_], y[turned_ + 1]}; }
   Vec2 place(std::size_t node, const double* y, const Pose& tip) const;
+  std::vector<Vec2> places_at(const double* y) const;
   bool is_enhanced(const LinkBlock& block) const {
     return settings_.enhanced && block.kind == ElementKind::quad4;
   }
@@ -75,6 +86,7 @@ class LinkPort final : public TwoPort {
 
   static constexpr std::size_t follow_size = enhanced_modes * 9;
 
+  LinkRefinement refinement_;
   LinkMesh mesh_;
   Material material_;
   ContinuumSettings settings_;
@@ -90,9 +102,10 @@ class LinkPort final : public TwoPort {
   mutable LinkFactors factors_;
 };
 
-LinkPort::LinkPort(const MeshLink& link, const Material& material,
+LinkPort::LinkPort(const MeshLink& link, const LineAxis& axis, const Material& material,
                    const ContinuumSettings& settings)
-    : mesh_(link),
+    : refinement_(link, axis),
+      mesh_(link, axis),
       material_(material),
       settings_(settings),
       border_(border_of(link.mesh)),
@@ -116,6 +129,13 @@ Vec2 LinkPort::place(std::size_t node, const double* y, const Pose& tip) const {
   if (first == LinkMesh::at_action)
     return tip.position + turned(turn_of_nodes(y), mesh_.nodes[node] - mesh_.chord);
   return mesh_.nodes[node] + mesh_.length * Vec2{y[first], y[first + 1]};
+}
+
+std::vector<Vec2> LinkPort::places_at(const double* y) const {
+  const Pose tip = tip_pose(y);
+  std::vector<Vec2> places;
+  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) places.push_back(place(n, y, tip));
+  return places;
 }
 
 /// An element that is not fastened to the action end.
@@ -148,30 +168,18 @@ void LinkPort::add_moved_element(const LinkBlock& block, std::size_t element,
   const std::size_t per = block.tables.nodes_per_element();
   std::vector<std::size_t> unknowns;
   mesh_.element_unknowns(block, element, unknowns);
-  const auto n = static_cast<Eigen::Index>(2 * per);
-  const auto m = static_cast<Eigen::Index>(unknowns.size());
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(n, m);
+  const Eigen::MatrixXd slopes = mesh_.slopes(block, element, work.turn);
+  const Eigen::Index n = slopes.rows();
+  const Eigen::Index m = slopes.cols();
   Eigen::VectorXd misfit = Eigen::VectorXd::Zero(n);
   double second = 0.0;  // by the turn, of what the forces work on
-  Eigen::Index own = 0;
   for (std::size_t a = 0; a < per; ++a) {
     const std::size_t node = block.nodes[element * per + a];
-    const std::size_t first = mesh_.unknown[node];
-    const auto row = static_cast<Eigen::Index>(2 * a);
-    if (first == LinkMesh::at_base) continue;
-    const bool moved = first == LinkMesh::at_action;
-    const Eigen::Index column = moved ? m - 3 : own;
-    slopes(row, column) = slopes(row + 1, column + 1) = mesh_.length;
-    if (!moved) {
-      own += 2;
-      continue;
-    }
-    const Vec2 lack = turned(work.short_of, mesh_.nodes[node] - mesh_.chord);
-    misfit.segment<2>(row) << lack.x, lack.y;
-    const Vec2 arm = rotate(work.turn, mesh_.nodes[node] - mesh_.chord);
-    slopes(row, m - 1) = -arm.y;
-    slopes(row + 1, m - 1) = arm.x;
-    second -= dot(arm, {tangent.forces[2 * a], tangent.forces[2 * a + 1]});
+    if (mesh_.unknown[node] != LinkMesh::at_action) continue;
+    const Vec2 arm = mesh_.nodes[node] - mesh_.chord;
+    const Vec2 lack = turned(work.short_of, arm);
+    misfit.segment<2>(static_cast<Eigen::Index>(2 * a)) << lack.x, lack.y;
+    second -= dot(rotate(work.turn, arm), {tangent.forces[2 * a], tangent.forces[2 * a + 1]});
   }
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
       stiffness(tangent.stiffness.data(), n, n);
@@ -329,15 +337,37 @@ std::vector<Vec2> LinkPort::drawn_axis(std::span<const SectionState> /*sections*
   return border;
 }
 
+std::shared_ptr<const TwoPort> LinkPort::refined() const {
+  constexpr std::size_t largest = 12000;
+  if (mesh_.size() > largest) return nullptr;
+  return std::make_shared<LinkPort>(refinement_.fine_link(), refinement_.axis(), material_,
+                                    settings_);
+}
+
+/// Displacements through the nodes, strains through the quadrature points; enhanced strains start
+/// anew. All linear, so that slopes are prolonged likewise.
+void LinkPort::prolong(std::span<const double> internal, std::span<double> refined) const {
+  const LinkMesh& fine = refinement_.fine();
+  std::fill(refined.begin(), refined.end(), 0.0);
+  std::vector<Vec2> moved = places_at(internal.data());
+  for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = moved[n] - mesh_.nodes[n];
+  refinement_.prolong_nodes(moved, nullptr, refined.data());
+  std::copy_n(internal.data() + mesh_.pose, 3, refined.data() + fine.pose);
+  const std::size_t turned = refined.size() - 2;
+  refinement_.prolong_strains(mesh_, internal.data() + strains_,
+                              refined.data() + turned - 3 * fine.points);
+  std::copy_n(internal.data() + turned_, 2, refined.data() + turned);
+}
+
 }  // namespace
 
 std::shared_ptr<const TwoPort> make_link_port(const MeshLink& link, const Material& material,
                                               const ContinuumSettings& settings) {
-  return std::make_shared<LinkPort>(link, material, settings);
+  return std::make_shared<LinkPort>(link, link_axis(link), material, settings);
 }
 
 Eigen::Matrix3d link_compliance(const MeshLink& link, const Material& material) {
-  const LinkPort port(link, material, {});
+  const LinkPort port(link, link_axis(link), material, {});
   const std::vector<double> rest(port.internal_size(), 0.0);
   std::vector<double> scratch(port.scratch_size());
   const TipResponse response = port.linearize(Eigen::Vector3d::Zero(), rest.data(), scratch.data());

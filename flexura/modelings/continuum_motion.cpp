@@ -180,20 +180,10 @@ double ContinuumMotionPort::assemble(const Density& density, const std::vector<V
     for (std::size_t a = 0; a < per; ++a)
       here[a] = places[mesh.node(column_of(e, a), row_of(e, a))];
     if (strip_->enhanced) {
-      // enhanced strains have no mass: at any moment they are where the energy is least
       const EnhancedStrains modes(mesh, e / mesh.across, e % mesh.across);
-      std::array<double, enhanced_modes> enhanced{};
-      for (int k = 0; k < 10; ++k) {
-        element.assemble(e, {here.data(), nullptr, enhanced.data()}, &modes, tangent, nullptr);
-        double rest = 0.0;
-        for (std::size_t m = 0; m < enhanced_modes; ++m) {
-          enhanced[m] -= tangent.rest[m];
-          rest = std::max(rest, std::abs(tangent.rest[m]));
-        }
-        if (rest < 1e-14) break;
-      }
+      element.settle(e, here.data(), &modes, tangent);
     } else {
-      element.assemble(e, {here.data(), nullptr, nullptr}, nullptr, tangent, nullptr);
+      element.settle(e, here.data(), nullptr, tangent);
     }
     energy += tangent.energy;
     add_element(e, tangent, faces, work);

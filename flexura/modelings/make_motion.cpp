@@ -12,6 +12,7 @@ struct MotionPortMaker {
   const FlexureInertia& inertia;
   const Material& material;
   const StripShape& shape;
+  const MeshLink* link;  // null for a strip
   double tolerance;
 
   Vec2 end() const { return flexure.axis.position(flexure.axis.length()); }
@@ -39,6 +40,7 @@ struct MotionPortMaker {
     return make_bcm_motion_port(flexure, inertia, settings);
   }
   Port operator()(const ContinuumSettings& settings) const {
+    if (link) return make_link_motion_port(*link, material, inertia.density, settings);
     return make_continuum_motion_port(shape, material, inertia.density, settings, tolerance);
   }
 };
@@ -58,7 +60,11 @@ MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
     properties.field.per_volume = {};  // gravity acts on all mass alike
     const FlexureInertia own = flexure_inertia(model, model.flexures[k], inertia, settings.shear);
     const StripShape shape(properties.axis, own.shape);
-    const MotionPortMaker maker{properties, own, model.materials[model.flexures[k].material], shape,
+    const MotionPortMaker maker{properties,
+                                own,
+                                model.materials[model.flexures[k].material],
+                                shape,
+                                model.flexures[k].link.get(),
                                 settings.tolerance};
     layout.ports.push_back(std::visit(maker, settings.kind));
   }

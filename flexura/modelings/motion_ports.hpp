@@ -45,4 +45,9 @@ std::shared_ptr<const MotionPort> make_continuum_motion_port(const StripShape& s
                                                              const ContinuumSettings& settings,
                                                              double tolerance);
 
+/// A link of any shape. Preconditions: those of make_link_port.
+std::shared_ptr<const MotionPort> make_link_motion_port(const MeshLink& link,
+                                                        const Material& material, double density,
+                                                        const ContinuumSettings& settings);
+
 }  // namespace flexura

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <set>
+#include <utility>
 
 #include "flexura/report/data_json.hpp"
 
@@ -69,32 +71,72 @@ bool has_stress_across(const ModelingPath& modeling) {
   return false;
 }
 
-/// Some of a field's nodes: places, and stresses as whole multiples of `unit`.
-Json field_json(const FieldState::OfFlexure& of, std::size_t most, double unit, bool across,
+/// Stresses as whole multiples of `unit`, one after the other.
+class Stresses {
+ public:
+  Stresses(double unit, bool across) : unit_(unit), across_(across) {}
+  void add(const PlaneStress& s) {
+    for (const double value : {s.xx, s.yy, s.xy}) add(value);
+    if (across_) add(s.zz);
+  }
+  Json take() { return std::move(list_); }
+
+ private:
+  void add(double value) {
+    list_.push_back(unit_ > 0.0 ? static_cast<std::int64_t>(std::lround(value / unit_)) : 0);
+  }
+  double unit_;
+  bool across_;
+  Json list_ = Json::array();
+};
+
+/// A mesh as it is: it cannot be thinned out. `pieces` has four nodes each, of a triangle the last
+/// one twice; `border` the nodes at either end of every side that no other piece has.
+Json mesh_json(const FieldState::OfFlexure& of, double unit, bool across,
+               const DrawnCoordinates& coordinates) {
+  const StressField& field = of.field;
+  Stresses stresses(unit, across);
+  for (const PlaneStress& stress : field.stresses) stresses.add(stress);
+  Json pieces = Json::array();
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  field.for_pieces([&](const StressField::Piece& piece) {
+    for (const std::size_t node : piece.nodes) pieces.push_back(node);
+    for (std::size_t k = 0; k < piece.corners; ++k) {
+      const std::size_t a = piece.nodes[k], b = piece.nodes[(k + 1) % piece.corners];
+      if (sides.erase({b, a}) == 0) sides.insert({a, b});
+    }
+  });
+  Json border = Json::array();
+  for (const auto& [a, b] : sides) {
+    border.push_back(a);
+    border.push_back(b);
+  }
+  return {{"flexure", of.flexure},
+          {"pieces", std::move(pieces)},
+          {"border", std::move(border)},
+          {"places", coordinates(field.places)},
+          {"stresses", stresses.take()}};
+}
+
+/// Some of a strip's nodes.
+Json strip_json(const FieldState::OfFlexure& of, std::size_t most, double unit, bool across,
                 const DrawnCoordinates& coordinates) {
   const StressField& field = of.field;
   const std::vector<std::size_t> rows = chosen(field.rows, most_rows);
   const std::vector<std::size_t> columns = chosen(field.columns, most / (rows.size() - 1) + 1);
   std::vector<Vec2> places;
-  Json stresses = Json::array();
-  const auto add = [&](double value) {
-    stresses.push_back(unit > 0.0 ? static_cast<std::int64_t>(std::lround(value / unit)) : 0);
-  };
+  Stresses stresses(unit, across);
   for (const std::size_t column : columns) {
     for (const std::size_t row : rows) {
       const std::size_t node = field.node(column, row);
       places.push_back(field.places[node]);
-      const PlaneStress& s = field.stresses[node];
-      add(s.xx);
-      add(s.yy);
-      add(s.xy);
-      if (across) add(s.zz);
+      stresses.add(field.stresses[node]);
     }
   }
   return {{"flexure", of.flexure},
           {"rows", rows.size()},
           {"places", coordinates(places)},
-          {"stresses", std::move(stresses)}};
+          {"stresses", stresses.take()}};
 }
 
 }  // namespace
@@ -109,8 +151,9 @@ Json stress_fields_json(const ModelingPath& modeling, const DrawnCoordinates& co
   for (const FieldState& state : modeling.fields) {
     Json flexures = Json::array();
     for (const FieldState::OfFlexure& of : state.flexures)
-      flexures.push_back(
-          field_json(of, of_state / state.flexures.size(), unit, across, coordinates));
+      flexures.push_back(of.field.pieces.empty() ? strip_json(of, of_state / state.flexures.size(),
+                                                              unit, across, coordinates)
+                                                 : mesh_json(of, unit, across, coordinates));
     states.push_back({{"state", state.state},
                       {"ranges", ranges_json(state)},
                       {"flexures", std::move(flexures)}});

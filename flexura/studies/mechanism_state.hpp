@@ -83,6 +83,9 @@ class MovingState final : public MechanismState {
                                const std::vector<SectionState>& sections) const override {
     return system_.port(member).drawn_axis(sections, system_.internal(member, moment_.q));
   }
+  std::optional<StressField> stress_field(std::size_t member) const override {
+    return system_.port(member).stress_field(system_.internal(member, moment_.q));
+  }
 
  private:
   const MotionSystem& system_;

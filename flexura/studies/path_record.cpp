@@ -39,7 +39,7 @@ Vec2 drawn_place(const DrawnSections& sections, std::size_t k) {
 }
 
 /// The largest fibre stress at the stations of a flexure; 0 in links of any shape, which have no
-/// fibres.
+/// fibres: what counts of them is the largest von Mises stress of their field.
 class FibreStress {
  public:
   FibreStress(const Model& model, std::size_t flexure)
@@ -76,6 +76,13 @@ class FibreStress {
   SectionProperties section_;
 };
 
+double largest_von_mises(const StressField& field) {
+  double largest = 0.0;
+  for (const PlaneStress& stress : field.stresses)
+    largest = std::max(largest, von_mises_stress(stress));
+  return largest;
+}
+
 }  // namespace
 
 PathState make_path_state(const Model& model, const MechanismState& mechanism, double load_factor) {
@@ -98,7 +105,9 @@ PathState make_path_state(const Model& model, const MechanismState& mechanism, d
     for (std::size_t i = 0; i < axis.size(); ++i)
       axis[i] = to_global.point(axis[i], drawn_place(sections, i));
     state.axes.push_back(std::move(axis));
-    state.peak_stresses.push_back(FibreStress(model, k).largest(sections.now));
+    const auto field = model.flexures[k].link ? mechanism.stress_field(k) : std::nullopt;
+    state.peak_stresses.push_back(field ? largest_von_mises(*field)
+                                        : FibreStress(model, k).largest(sections.now));
   }
   return state;
 }
@@ -146,8 +155,7 @@ PathResult make_path_names(const Model& model) {
   }
   for (const Flexure& flexure : model.flexures) {
     names.flexures.push_back(flexure.name);
-    names.strengths.push_back(flexure.link ? std::nullopt
-                                           : model.materials[flexure.material].strength);
+    names.strengths.push_back(model.materials[flexure.material].strength);
   }
   return names;
 }

@@ -1,10 +1,12 @@
 // What every modeling's flexure in motion must satisfy, by itself (property_suite.hpp).
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "flexura/modelings/make_motion.hpp"
 #include "flexura/modelings/make_system.hpp"
 #include "tests/modelings/property_suite.hpp"
+#include "tests/support/plane_mesh.hpp"
 
 namespace flexura::testing {
 namespace {
@@ -12,13 +14,14 @@ namespace {
 /// With the places where inertia can be besides the usual ones.
 struct MovingEntry : SuiteEntry {
   InertiaSettings inertia;
+  std::optional<ElementKind> mesh;  ///< of the first flexure: a link of any shape
 };
 
 std::vector<MovingEntry> moving_entries() {
   std::vector<MovingEntry> entries;
   const auto add = [&](SuiteEntry entry, const std::string& suffix, bool shear, bool lumped) {
     entry.name += suffix;
-    entries.push_back({std::move(entry), {true, true, shear, lumped}});
+    entries.push_back({std::move(entry), {true, true, shear, lumped}, {}});
   };
   std::vector<SuiteEntry> suite = suite_entries();
   SuiteEntry stiff{"beam_order_3_unstretchable", beam(6, 3)};
@@ -33,7 +36,19 @@ std::vector<MovingEntry> moving_entries() {
     if (is_beam || entry.name == "exact") add(entry, "_rayleigh", false, false);
     if (is_beam) add(entry, "_lumped_rayleigh", false, true);
   }
+  for (const ElementKind kind : {ElementKind::triangle3, ElementKind::triangle6, ElementKind::quad4,
+                                 ElementKind::quad8, ElementKind::quad9})
+    entries.push_back({{"mesh_nodes_" + std::to_string(nodes_of(kind)), continuum(8, 1, 4)},
+                       {true, true, true, false},
+                       kind});
   return entries;
+}
+
+/// The first flexure of the suite's chain, meshed.
+MeshLink meshed_arc(ElementKind kind) {
+  return mapped_link(kind, 12, 2, [](Vec2 p) {
+    return Vec2{0.0, 3.0} + (3.0 + 0.3 * (0.5 - p.y)) * unit(-1.5 + 2.6 * p.x);
+  });
 }
 
 constexpr double density = 2.0;
@@ -42,6 +57,11 @@ class MotionPortProperties : public ::testing::TestWithParam<MovingEntry> {
  protected:
   MotionPortProperties() {
     chain_.materials.front().density = density;
+    if (GetParam().mesh) {
+      auto link = std::make_shared<MeshLink>(meshed_arc(*GetParam().mesh));
+      chain_.flexures.front().axis = link_axis(*link);
+      chain_.flexures.front().link = std::move(link);
+    }
     inertia_ = GetParam().inertia;
     layout_ = make_motion_layout(chain_, {}, GetParam().settings, inertia_);
     work_ = sized_work(port());
@@ -113,11 +133,16 @@ TEST_P(MotionPortProperties, RestsAsDrawn) {
   for (std::size_t g = 0; g < port().points().size(); ++g) {
     const MassPoint& point = port().points()[g];
     (point.direction ? rotary : mass) += point.inertia;
-    if (point.direction)
+    if (point.direction) {
       EXPECT_NEAR(norm(work_.places[g]), 1.0, 2e-2);  // along an interpolated axis, nearly
-    else
+    } else if (!GetParam().mesh) {
       EXPECT_LT(norm(work_.places[g] - (axis.position(point.s) - axis.position(0.0))),
                 is_continuum() ? 0.15 : 1e-13);
+    }
+  }
+  if (GetParam().mesh) {
+    EXPECT_NEAR(mass, density * mesh_area(chain_.flexures[0].link->mesh), 1e-12);
+    return;
   }
   if (is_continuum()) {  // with its outline interpolated
     EXPECT_NEAR(mass, density * 0.3 * axis.length(), 2e-3 * mass);

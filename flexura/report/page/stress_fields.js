@@ -109,7 +109,9 @@ const StressFields = (() => {
   const nodesOf = (field) => field.places.length / 2;
   const place = (field, k) => [field.places[2 * k], field.places[2 * k + 1]];
 
+  // Of a mesh, which is not thin, without end.
   function thicknessOf(field) {
+    if (field.pieces) return Infinity;
     const columns = nodesOf(field) / field.rows;
     const all = d3.range(columns).map((c) => {
       const [x, y] = place(field, c * field.rows);
@@ -121,6 +123,7 @@ const StressFields = (() => {
 
   // Places on the screen, every section widened about its middle.
   function outlineOf(view, field, widened) {
+    if (field.pieces) return d3.range(nodesOf(field)).map((k) => view.project(place(field, k)));
     return d3.range(nodesOf(field)).map((k) => {
       const first = k - (k % field.rows);
       const [a, b] = [place(field, first), place(field, first + field.rows - 1)];
@@ -131,13 +134,35 @@ const StressFields = (() => {
     });
   }
 
+  // Four nodes of every piece of a mesh, or of every quadrilateral between columns and rows.
+  function piecesOf({ pieces, rows, places }) {
+    if (pieces) return d3.range(0, pieces.length, 4).map((k) => pieces.slice(k, k + 4));
+    return d3.range(places.length / 2 - rows)
+      .filter((k) => k % rows !== rows - 1)
+      .map((k) => [k, k + rows, k + rows + 1, k + 1]);
+  }
+
+  function drawBorder(context, field, at) {
+    context.beginPath();
+    if (field.pieces) {
+      d3.range(0, field.border.length, 2).forEach((k) => {
+        context.moveTo(...at[field.border[k]]);
+        context.lineTo(...at[field.border[k + 1]]);
+      });
+    } else {
+      const side = (row) => d3.range(row, at.length, field.rows).map((k) => at[k]);
+      [...side(0), ...side(field.rows - 1).reverse()].forEach((p) => context.lineTo(...p));
+      context.closePath();
+    }
+    context.lineWidth = 0.8;
+    context.strokeStyle = 'rgba(60, 60, 60, 0.7)';
+    context.stroke();
+  }
+
   function paint(context, view, field, values, colour, widened) {
     const at = outlineOf(view, field, widened);
-    const { rows } = field;
     context.lineWidth = 0.7; // hides the seams
-    for (let k = 0; k + rows < at.length; ++k) {
-      if (k % rows === rows - 1) continue;
-      const corners = [k, k + rows, k + rows + 1, k + 1];
+    for (const corners of piecesOf(field)) {
       context.beginPath();
       corners.forEach((corner) => context.lineTo(...at[corner]));
       context.closePath();
@@ -146,13 +171,7 @@ const StressFields = (() => {
       context.fill();
       context.stroke();
     }
-    const side = (row) => d3.range(row, at.length, rows).map((k) => at[k]);
-    context.beginPath();
-    [...side(0), ...side(rows - 1).reverse()].forEach((p) => context.lineTo(...p));
-    context.closePath();
-    context.lineWidth = 0.8;
-    context.strokeStyle = 'rgba(60, 60, 60, 0.7)';
-    context.stroke();
+    drawBorder(context, field, at);
   }
 
   function valuesOf(field, { unit: step, across }, quantity) {
