@@ -58,6 +58,7 @@ void attach_with_arms(ElasticLink& link, Vec2 base_arm, Vec2 action_arm) {
   for (ElasticLink::Element& element : link.elements)
     for (Eigen::RowVectorXd& row : element.deflection) apply(row);
   for (auto* reading : {&link.strain, &link.axial_strain, &link.deflection}) apply_to(*reading);
+  if (link.field.stress.size() > 0) apply(link.field.stress);
   for (ElasticLink::Station& station : link.stations) {
     apply(station.displacement);
     apply_to(station.bending_stress);

@@ -46,6 +46,12 @@ struct ElasticLink {
     Reading axial_stress;
   };
 
+  /// Of a link of any shape: stresses of its nodes.
+  struct Field {
+    std::vector<std::size_t> station;  ///< nearest to the node
+    Eigen::MatrixXd stress;            ///< xx, yy, xy in the link's axes, by u: three rows per node
+  };
+
   Eigen::Index size() const { return stiffness.rows(); }
 
   Vec2 base, action;  ///< ends as drawn
@@ -62,6 +68,7 @@ struct ElasticLink {
   Reading axial_strain;  ///< at mid-length
   Reading deflection;    ///< of mid-length across the line between the ends
   std::vector<Station> stations;
+  Field field;  ///< empty for strips
 };
 
 /// Matrices of a link that do not change in its own axes. With places r + s u in axes that turn at

@@ -18,6 +18,12 @@ class MotionPort;
 /// `most_modes` of the lowest with both ends held (Craig and Bampton, AIAA J. 6, 1968): enough to
 /// be exact where the flexure has as few unknowns.
 ElasticLink make_port_link(const FlexureProperties& flexure, const FlexureInertia& inertia,
-                           const MotionPort& port, int most_modes);
+                           const Material& material, const MotionPort& port, int most_modes);
+
+/// Stresses of a link that has a stress field, and stations along its chord; `inside`: internal
+/// unknowns of the port by those of the link. Strain and deflection at mid-length are those of the
+/// two nodes nearest to the border there.
+void add_plate_readings(ElasticLink& link, const MotionPort& port, const Material& material,
+                        const Eigen::MatrixXd& inside);
 
 }  // namespace flexura

@@ -54,8 +54,13 @@ Drawn drawn_of(const MotionPort& port) {
 
 class PortLink {
  public:
-  PortLink(const FlexureProperties& flexure, const FlexureInertia& inertia, const MotionPort& port)
-      : flexure_(flexure), inertia_(inertia), port_(port), drawn_(drawn_of(port)) {}
+  PortLink(const FlexureProperties& flexure, const FlexureInertia& inertia,
+           const Material& material, const MotionPort& port)
+      : flexure_(flexure),
+        inertia_(inertia),
+        material_(material),
+        port_(port),
+        drawn_(drawn_of(port)) {}
   ElasticLink make(int most_modes);
 
  private:
@@ -73,6 +78,7 @@ class PortLink {
 
   const FlexureProperties& flexure_;
   const FlexureInertia& inertia_;
+  const Material& material_;
   const MotionPort& port_;
   Drawn drawn_;
   Eigen::MatrixXd inside_;  // y by u
@@ -215,7 +221,11 @@ ElasticLink PortLink::make(int most_modes) {
   const Eigen::MatrixXd stiffness = inside_.transpose() * drawn_.stiffness * inside_;
   link_.stiffness = 0.5 * (stiffness + stiffness.transpose());
   add_masses();
-  add_stations();
+  const std::vector<double> rest(port_.internal_size(), 0.0);
+  if (port_.stress_field(rest.data()) && !port_.stress_field(rest.data())->pieces.empty())
+    add_plate_readings(link_, port_, material_, inside_);
+  else
+    add_stations();
   link_.pairs = {0, 3};
   return std::move(link_);
 }
@@ -223,8 +233,8 @@ ElasticLink PortLink::make(int most_modes) {
 }  // namespace
 
 ElasticLink make_port_link(const FlexureProperties& flexure, const FlexureInertia& inertia,
-                           const MotionPort& port, int most_modes) {
-  return PortLink(flexure, inertia, port).make(most_modes);
+                           const Material& material, const MotionPort& port, int most_modes) {
+  return PortLink(flexure, inertia, material, port).make(most_modes);
 }
 
 }  // namespace flexura

@@ -61,8 +61,8 @@ class LinkageMaker {
   bool is_held(std::size_t body) const {
     return model_.bodies[body].fixed || body == model_.drivers[study_.driver].body;
   }
-  ElasticLink make_link(std::size_t flexure, const MotionLayout& ports) const;
-  void add_member(std::size_t flexure, const MotionLayout& ports);
+  ElasticLink make_link(std::size_t flexure) const;
+  void add_member(std::size_t flexure);
   void add_end(std::size_t flexure, bool base, LinkageLayout::Member& member);
   void add_joints();
   void add_loads();
@@ -80,9 +80,13 @@ bool is_plain_beam(const ModelingSettings& settings) {
   return beam && beam->theory == BeamSettings::Theory::linear;
 }
 
-ElasticLink LinkageMaker::make_link(std::size_t k, const MotionLayout& ports) const {
-  const ModelingSettings& settings = study_.modeling;
+ElasticLink LinkageMaker::make_link(std::size_t k) const {
+  ModelingSettings settings = study_.modeling;
   const Flexure& flexure = model_.flexures[k];
+  if (flexure.link && !std::holds_alternative<ContinuumSettings>(settings.kind)) {
+    settings.kind = ContinuumSettings{};  // there is no other way to take it
+    settings.axial = settings.shear = true;
+  }
   const FlexureProperties properties =
       flexure_properties(model_, flexure, settings.axial, settings.shear);
   InertiaSettings inertia;
@@ -90,9 +94,12 @@ ElasticLink LinkageMaker::make_link(std::size_t k, const MotionLayout& ports) co
   const FlexureInertia own = flexure_inertia(model_, flexure, inertia, settings.shear);
   if (is_plain_beam(settings))
     return make_beam_link(properties, own, (refined_ ? 2 : 1) * study_.elements_of(k));
-  const std::shared_ptr<const MotionPort> finer = refined_ ? ports.ports[k]->refined() : nullptr;
-  const int modes = refined_ ? 2 * most_modes : most_modes;
-  return make_port_link(properties, own, finer ? *finer : *ports.ports[k], modes);
+  std::shared_ptr<const MotionPort> port = make_motion_port(model_, k, {}, settings, inertia);
+  // the mesh of a link of any shape stays, with more of its vibrations
+  const auto finer = refined_ && !flexure.link ? port->refined() : nullptr;
+  if (finer) port = finer;
+  return make_port_link(properties, own, model_.materials[flexure.material], *port,
+                        refined_ ? 2 * most_modes : most_modes);
 }
 
 /// Clamped ends move with their bodies; pinned ones share a place with them.
@@ -122,9 +129,9 @@ void LinkageMaker::add_end(std::size_t k, bool base, LinkageLayout::Member& memb
   layout_.pins.push_back({end, place_on(body, at)});
 }
 
-void LinkageMaker::add_member(std::size_t k, const MotionLayout& ports) {
+void LinkageMaker::add_member(std::size_t k) {
   const Flexure& flexure = model_.flexures[k];
-  LinkageLayout::Member member{make_link(k, ports), parts_.of_flexures[k], {}};
+  LinkageLayout::Member member{make_link(k), parts_.of_flexures[k], {}};
   const auto arm = [&](bool base) {
     const std::size_t body = base ? flexure.base : flexure.action;
     const bool pinned = base ? flexure.pinned_base : flexure.pinned_action;
@@ -167,12 +174,7 @@ LinkageLayout LinkageMaker::make() {
   for (const LinkageLayout::Place& place : bodies_)
     for (const int unknown : place.unknowns)
       layout_.unknowns = std::max(layout_.unknowns, unknown + 1);
-  InertiaSettings inertia;
-  inertia.rotary = study_.rotary_inertia;
-  const MotionLayout ports = is_plain_beam(study_.modeling)
-                                 ? MotionLayout{}
-                                 : make_motion_layout(model_, {}, study_.modeling, inertia);
-  for (std::size_t k = 0; k < model_.flexures.size(); ++k) add_member(k, ports);
+  for (std::size_t k = 0; k < model_.flexures.size(); ++k) add_member(k);
   for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
     const Body& body = model_.bodies[b];
     if (body.mass > 0.0 || body.inertia > 0.0)

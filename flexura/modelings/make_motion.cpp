@@ -47,27 +47,31 @@ struct MotionPortMaker {
 
 }  // namespace
 
+std::shared_ptr<const MotionPort> make_motion_port(const Model& model, std::size_t k,
+                                                   const FieldLoads& fields,
+                                                   const ModelingSettings& settings,
+                                                   const InertiaSettings& inertia) {
+  const Flexure& flexure = model.flexures[k];
+  FlexureProperties properties =
+      flexure_properties(model, flexure, settings.axial, settings.shear);
+  properties.field = field_on(model, k, fields);
+  properties.field.per_volume = {};  // gravity acts on all mass alike
+  const FlexureInertia own = flexure_inertia(model, flexure, inertia, settings.shear);
+  const StripShape shape(properties.axis, own.shape);
+  const MotionPortMaker maker{properties,         own,
+                              model.materials[flexure.material], shape,
+                              flexure.link.get(), settings.tolerance};
+  return std::visit(maker, settings.kind);
+}
+
 MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,
                                 const ModelingSettings& settings, const InertiaSettings& inertia) {
   MotionLayout layout;
   layout.mechanism = make_layout(model, acting.loads, settings);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     layout.mechanism.bodies[b].moves = !model.bodies[b].fixed;
-  for (std::size_t k = 0; k < model.flexures.size(); ++k) {
-    FlexureProperties properties =
-        flexure_properties(model, model.flexures[k], settings.axial, settings.shear);
-    properties.field = field_on(model, k, acting.fields);
-    properties.field.per_volume = {};  // gravity acts on all mass alike
-    const FlexureInertia own = flexure_inertia(model, model.flexures[k], inertia, settings.shear);
-    const StripShape shape(properties.axis, own.shape);
-    const MotionPortMaker maker{properties,
-                                own,
-                                model.materials[model.flexures[k].material],
-                                shape,
-                                model.flexures[k].link.get(),
-                                settings.tolerance};
-    layout.ports.push_back(std::visit(maker, settings.kind));
-  }
+  for (std::size_t k = 0; k < model.flexures.size(); ++k)
+    layout.ports.push_back(make_motion_port(model, k, acting.fields, settings, inertia));
   for (const Load& load : acting.loads) layout.loads.push_back(load.history);
   layout.gravity = acting.fields.gravity;
   layout.mass_damping = acting.damping.mass;

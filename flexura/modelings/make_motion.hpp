@@ -12,6 +12,12 @@ struct MotionLoads {
   DampingSettings damping;  ///< but for the modal part, which belongs to a state
 };
 
+/// One flexure of it.
+std::shared_ptr<const MotionPort> make_motion_port(const Model& model, std::size_t flexure,
+                                                   const FieldLoads& fields,
+                                                   const ModelingSettings& settings,
+                                                   const InertiaSettings& inertia);
+
 /// A modeling applied to a model that moves in time. Bodies keep their indices, flexures become
 /// members in the same order. Driven bodies move: their drivers' motion is still to be prescribed.
 MotionLayout make_motion_layout(const Model& model, const MotionLoads& acting,

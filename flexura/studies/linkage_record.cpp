@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexura/core/plane_stress.hpp"
 #include "flexura/modelings/make_linkage.hpp"
 
 namespace flexura {
@@ -156,6 +157,26 @@ Eigen::MatrixXd middle_strains(const LinkageStudy& study, const LinkageTurn& tur
 
 namespace {
 
+/// Of a link of any shape: the largest and the smallest principal stress near every station; the
+/// largest absolute one of all.
+double record_plate(const ElasticLink::Field& field, const Eigen::VectorXd& u,
+                    std::vector<double>& upper, std::vector<double>& lower) {
+  const Eigen::VectorXd stress = field.stress * u;
+  std::vector<bool> known(upper.size(), false);
+  double largest = 0.0;
+  for (std::size_t n = 0; n < field.station.size(); ++n) {
+    const auto row = static_cast<Eigen::Index>(3 * n);
+    const PrincipalStress principal =
+        principal_stress({stress[row], stress[row + 1], stress[row + 2], 0.0});
+    const std::size_t at = field.station[n];
+    upper[at] = known[at] ? std::max(upper[at], principal.first) : principal.first;
+    lower[at] = known[at] ? std::min(lower[at], principal.second) : principal.second;
+    known[at] = true;
+    largest = std::max({largest, std::abs(principal.first), std::abs(principal.second)});
+  }
+  return largest;
+}
+
 /// One flexure at one position.
 void record_flexure(const LinkageLayout::Member& member, const RigidState& rigid,
                     const Eigen::VectorXd& u, const std::vector<Eigen::Vector2d>& loads,
@@ -175,6 +196,7 @@ void record_flexure(const LinkageLayout::Member& member, const RigidState& rigid
     const Eigen::Vector2d moved = station.displacement * u;
     displacements.push_back(rotate(rigid.parts[member.part].turn, {moved[0], moved[1]}));
   }
+  if (link.field.stress.size() > 0) largest = record_plate(link.field, u, upper, lower);
   curves.stress.push_back(largest);
   curves.upper_stress.push_back(std::move(upper));
   curves.lower_stress.push_back(std::move(lower));
