@@ -65,6 +65,7 @@ LdltInertia factorize_ldlt(T* __restrict a, const BandLayout& layout, T* __restr
     }
     const T inverse = 1.0 / pivot;
     for (std::size_t i = j + 1; i < end; ++i) {
+      if (column[i] == T{}) continue;  // a band is wide for its widest rows
       T* __restrict row = layout.row(a, i);
       const T l = column[i] * inverse;
       for (std::size_t k = j + 1; k <= i; ++k) row[k] -= l * column[k];
@@ -75,15 +76,18 @@ LdltInertia factorize_ldlt(T* __restrict a, const BandLayout& layout, T* __restr
 }
 
 /// y = A x for a symmetric matrix whose lower triangle is laid out so.
-inline void multiply_symmetric(const double* a, const BandLayout& layout, const double* x,
-                               double* y) {
+inline void multiply_symmetric(const double* __restrict a, const BandLayout& layout,
+                               const double* __restrict x, double* __restrict y) {
   for (std::size_t i = 0; i < layout.n; ++i) {
     const double* row = layout.row(a, i);
-    y[i] = row[i] * x[i];
+    const double own = x[i];
+    double sum = row[i] * own;
     for (std::size_t j = i > layout.width ? i - layout.width : 0; j < i; ++j) {
-      y[i] += row[j] * x[j];
-      y[j] += row[j] * x[i];
+      if (row[j] == 0.0) continue;
+      sum += row[j] * x[j];
+      y[j] += row[j] * own;
     }
+    y[i] = sum;
   }
 }
 

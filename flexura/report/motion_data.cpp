@@ -15,6 +15,7 @@ constexpr std::size_t most_fine = 5000;
 constexpr std::size_t most_coarse = 1250;
 constexpr std::size_t most_frames = 400;
 constexpr std::size_t most_axis_points = 25;
+constexpr std::size_t most_border_points = 150;  // of links of any shape: closed lines with corners
 
 using Indices = std::vector<std::size_t>;
 using Value = std::function<double(const MotionState&)>;
@@ -121,8 +122,9 @@ Json coarse_json(const MotionResult& motion, const ModelingMotion& modeling, con
 
 std::vector<Vec2> drawn_axis(const std::vector<Vec2>& axis) {
   std::vector<Vec2> drawn;
-  for (const std::size_t k : thinned(axis.size(), axis.size(), most_axis_points))
-    drawn.push_back(axis[k]);
+  const bool closed = !axis.empty() && axis.front() == axis.back();
+  const std::size_t most = closed ? most_border_points : most_axis_points;
+  for (const std::size_t k : thinned(axis.size(), axis.size(), most)) drawn.push_back(axis[k]);
   return drawn;
 }
 

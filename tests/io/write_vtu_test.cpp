@@ -164,5 +164,29 @@ TEST(WriteVtu, ASeriesNamesItsFiles) {
             std::string::npos);
 }
 
+/// A mesh has the pieces that it names, triangles among them.
+TEST(WriteVtu, MeshesHaveTrianglesToo) {
+  StressField mesh;
+  mesh.drawn = mesh.places = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {2.0, 0.0}};
+  mesh.stresses.resize(5);
+  mesh.pieces = {{{0, 1, 2, 3}, 4, 0}, {{1, 4, 2, 2}, 3, 1}};
+  mesh.error_energies = {0.0, 0.09};
+  mesh.energy = 1.0;
+  FieldState fields = two_strips();
+  fields.flexures.push_back({5, mesh});
+  const std::string text = make_vtu(fields, 1.0);
+  EXPECT_EQ(number_in(text, "NumberOfPoints"), 24U);
+  EXPECT_EQ(number_in(text, "NumberOfCells"), 11U);
+  const auto corners = array_in<std::int32_t>(text, "connectivity");
+  ASSERT_EQ(corners.size(), 4U * 10U + 3U);
+  EXPECT_EQ(std::vector<std::int32_t>(corners.end() - 7, corners.end()),
+            (std::vector<std::int32_t>{19, 20, 21, 22, 20, 23, 21}));
+  EXPECT_EQ(array_in<std::uint8_t>(text, "types").back(), 5);
+  EXPECT_EQ(array_in<std::int32_t>(text, "offsets").back(), 43);
+  EXPECT_EQ(array_in<std::int32_t>(text, "flexure").back(), 5);
+  // energies of all flexures together
+  EXPECT_NEAR(array_in<double>(text, "error").back(), std::sqrt(0.09 / 5.0), 1e-12);
+}
+
 }  // namespace
 }  // namespace flexura

@@ -120,16 +120,24 @@ const Mechanism = (() => {
       : [at[0], at[1] + extent];
   }
 
+  // Where a flexure is fastened to a body: bodies list their ends in the order of the flexures.
+  function endOn(flexure, name) {
+    const own = flexures.filter((other) => other.base === name || other.action === name);
+    return bodies.get(name).ends[own.findIndex((other) => other.name === flexure.name)];
+  }
+
   // Ground under every flexure, spring end or pin that a fixed body holds; a circle where a flexure
-  // may turn there.
+  // may turn there. A link of any shape, drawn as a line without depth, goes straight from its end.
   function drawGround(view) {
     const held = flexures.flatMap((flexure) => {
-      const axis = flexure.axis;
-      const last = axis.length - 1;
+      const { axis, base, action } = flexure;
+      const strip = flexure.depth > 0;
+      const [from, to] = strip ? [axis[0], axis[axis.length - 1]]
+        : [endOn(flexure, base), endOn(flexure, action)];
       const ends = [];
-      if (bodies.get(flexure.base).fixed) ends.push([axis[0], axis[1], flexure.pinned_base]);
-      if (bodies.get(flexure.action).fixed) {
-        ends.push([axis[last], axis[last - 1], flexure.pinned_action]);
+      if (bodies.get(base).fixed) ends.push([from, strip ? axis[1] : to, flexure.pinned_base]);
+      if (bodies.get(action).fixed) {
+        ends.push([to, strip ? axis[axis.length - 2] : from, flexure.pinned_action]);
       }
       return ends;
     });
