@@ -49,7 +49,7 @@ class DifferencedMap {
 struct PeriodicOrbitOptions {
   double tolerance = 1e-9;  ///< of the length by which a state misses itself after a period
   /// Of that length, what a solution of the linear equations leaves.
-  double forcing = 0.03;
+  double forcing = 0.01;
   int most_iterations = 40;
   int most_directions = 120;  ///< of the Krylov space
   int multipliers = 6;        ///< so many of the largest are wanted; 0: none
