@@ -38,6 +38,22 @@ void FlowDirections::add(const Eigen::VectorXd& direction, const Eigen::VectorXd
   append(images_, image);
 }
 
+void FlowDirections::learn(const Eigen::VectorXd& step, const Eigen::VectorXd& image) {
+  constexpr double little = 1e-2;  // of the step, across
+  const double square = step.squaredNorm();
+  if (!(square > 0.0)) return;
+  Eigen::VectorXd defect = image;
+  if (count() > 0) {
+    const Eigen::VectorXd shares = directions_.transpose() * step;
+    defect -= images_ * shares;
+    images_ += defect * shares.transpose() / square;
+  }
+  const Eigen::VectorXd direction = across(step);
+  if (direction.size() == 0) return;
+  const double part = direction.dot(step);
+  if (part * part > little * little * square) add(direction, part / square * defect);
+}
+
 auto FlowDirections::solve(const Eigen::VectorXd& r) const -> Solution {
   if (count() == 0) return {Eigen::VectorXd::Zero(r.size()), r};
   const Eigen::MatrixXd moved = images_ - directions_;

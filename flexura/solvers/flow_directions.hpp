@@ -28,6 +28,10 @@ class FlowDirections {
   Eigen::VectorXd direction(Eigen::Index k) const { return directions_.col(k); }
   void set_image(Eigen::Index k, const Eigen::VectorXd& image) { images_.col(k) = image; }
 
+  /// The image of a step that was taken is known without a flow, from the ends of two turns:
+  /// Broyden's update, of what is across the directions as if a turn left nothing of it.
+  void learn(const Eigen::VectorXd& step, const Eigen::VectorXd& image);
+
   struct Solution {
     Eigen::VectorXd step;
     Eigen::VectorXd remainder;  ///< r + (A - I) step

@@ -49,8 +49,9 @@ class DifferencedMap {
 struct PeriodicOrbitOptions {
   double tolerance = 1e-9;  ///< of the length by which a state misses itself after a period
   /// Of that length, what a solution of the linear equations leaves.
-  double forcing = 0.01;
+  double forcing = 0.05;
   int most_iterations = 40;
+  int most_turns = 1000;      ///< for the orbit, linearised ones included
   int most_directions = 120;  ///< of the Krylov space
   int multipliers = 6;        ///< so many of the largest are wanted; 0: none
   double multiplier_tolerance = 1e-3;
@@ -62,7 +63,7 @@ enum class OrbitOutcome {
   converged,
   no_turn,    ///< from the start there is no way through a period
   stalled,    ///< no step leads nearer
-  exhausted,  ///< the iterations came to their end
+  exhausted,  ///< iterations or turns came to their end
   cancelled
 };
 
@@ -99,8 +100,7 @@ struct PeriodicOrbitSummary {
 template <PeriodMap Map>
 class PeriodicOrbit {
  public:
-  PeriodicOrbit(Map& map, PeriodicOrbitOptions options)
-      : map_(map), options_(std::move(options)) {}
+  PeriodicOrbit(Map& map, PeriodicOrbitOptions options) : map_(map), options_(std::move(options)) {}
 
   /// From x, which holds the state with the smallest miss at the end: the orbit if converged.
   PeriodicOrbitSummary solve(Eigen::VectorXd& x);
@@ -121,8 +121,9 @@ class PeriodicOrbit {
   PeriodicOrbitOptions options_;
   PeriodicOrbitSummary summary_;
   FlowDirections directions_;
-  Eigen::VectorXd miss_;  // of the last turn
-  bool aged_ = false;     // images are those of an earlier iterate
+  Eigen::VectorXd miss_;    // of the last turn
+  Eigen::VectorXd before_;  // of the last iterate
+  bool aged_ = false;       // images are those of an earlier iterate
   bool renewed_ = false;
 };
 
@@ -159,7 +160,8 @@ bool PeriodicOrbit<Map>::asks_to_stop() {
 template <PeriodMap Map>
 void PeriodicOrbit<Map>::iterate(Eigen::VectorXd& x) {
   while (summary_.miss() > options_.tolerance) {
-    if (static_cast<int>(summary_.iterations.size()) > options_.most_iterations) {
+    if (static_cast<int>(summary_.iterations.size()) > options_.most_iterations ||
+        summary_.turns + summary_.flows >= options_.most_turns) {
       summary_.outcome = OrbitOutcome::exhausted;
       return;
     }
@@ -169,7 +171,7 @@ void PeriodicOrbit<Map>::iterate(Eigen::VectorXd& x) {
       return;
     }
     // a space that served badly has aged, or the map is far from linear
-    constexpr double slow = 0.2;
+    constexpr double slow = 0.5;
     aged_ = true;
     if (summary_.miss() > slow * before) directions_.clear();
   }
@@ -221,6 +223,7 @@ template <PeriodMap Map>
 bool PeriodicOrbit<Map>::try_step(Eigen::VectorXd& x, const Eigen::VectorXd& step) {
   constexpr double shortest = 1.0 / 64.0;
   const double before = summary_.miss();
+  before_ = miss_;
   for (double factor = 1.0; factor >= shortest; factor *= 0.5) {
     const Eigen::VectorXd trial = x + factor * step;
     const bool through = turn(trial);
@@ -229,6 +232,8 @@ bool PeriodicOrbit<Map>::try_step(Eigen::VectorXd& x, const Eigen::VectorXd& ste
       if (aged_ && factor < 0.5) return false;  // rather a new space than creeping
       continue;
     }
+    const Eigen::VectorXd taken = trial - x;
+    directions_.learn(taken, miss_ - before_ + taken);
     x = trial;
     const auto count = static_cast<int>(directions_.count());
     summary_.iterations.push_back({miss_.norm(), factor, count, renewed_});
@@ -264,15 +269,15 @@ void PeriodicOrbit<Map>::find_multipliers(Eigen::Index size) {
     record_multipliers(pairs);
     const auto wanted = std::min(pairs.size(), static_cast<std::size_t>(options_.multipliers));
     const auto unknown = std::find_if(
-        pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(wanted), [&](const auto& pair) {
-          return pair.residual.norm() > options_.multiplier_tolerance;
-        });
-    const bool all = wanted == static_cast<std::size_t>(std::min<Eigen::Index>(
-                                   options_.multipliers, size));
+        pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(wanted),
+        [&](const auto& pair) { return pair.residual.norm() > options_.multiplier_tolerance; });
+    const bool all =
+        wanted == static_cast<std::size_t>(std::min<Eigen::Index>(options_.multipliers, size));
     if (!grows || (all && unknown == pairs.begin() + static_cast<std::ptrdiff_t>(wanted))) break;
     const RitzPair& next = unknown == pairs.end() ? pairs.back() : *unknown;
     grows = add_direction(next.residual.real(), flows);
-    if (std::abs(next.value.imag()) > 0.0) grows = add_direction(next.residual.imag(), flows) || grows;
+    if (std::abs(next.value.imag()) > 0.0)
+      grows = add_direction(next.residual.imag(), flows) || grows;
   }
   // the orbit is what it is, whether or not all of its multipliers were found
   if (summary_.outcome == OrbitOutcome::cancelled) summary_.outcome = OrbitOutcome::converged;

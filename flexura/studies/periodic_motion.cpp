@@ -65,7 +65,7 @@ bool PeriodicSearch::try_speed(double speed, const std::optional<Eigen::VectorXd
               {period, study_.outputs, study_.tolerance, layout_.breaks(speed)});
   PeriodicOrbitOptions options;
   options.tolerance = study_.miss;
-  options.most_iterations = study_.most_iterations;
+  options.most_turns = study_.most_turns;
   options.multipliers = speed == study_.speed ? study_.multipliers : 0;
   options.keep_going = keep_going_;
   PeriodicOrbit<TurnMap> orbit(map, options);
@@ -115,7 +115,7 @@ void PeriodicSearch::explain(const PeriodicOrbitSummary& summary, double speed,
     case OrbitOutcome::stalled:
       failure_ = fmt::format(
           "at speed {:.6g} no step leads to a motion that repeats itself: the last misses itself "
-          "by {:.3g} mean flexure lengths after a turn",
+          "by {:.3g} (as radians of bending) after a turn",
           speed, summary.miss());
       break;
     case OrbitOutcome::cancelled:
@@ -123,9 +123,10 @@ void PeriodicSearch::explain(const PeriodicOrbitSummary& summary, double speed,
       break;
     default:
       failure_ = fmt::format(
-          "at speed {:.6g} {} iterations do not find a motion that repeats itself: the last misses "
-          "itself by {:.3g} mean flexure lengths after a turn",
-          speed, study_.most_iterations, summary.miss());
+          "at speed {:.6g} {} turns do not find a motion that repeats itself: the last misses "
+          "itself "
+          "by {:.3g} (as radians of bending) after a turn",
+          speed, summary.turns + summary.flows, summary.miss());
   }
 }
 
@@ -179,8 +180,7 @@ PeriodicMotion PeriodicSearch::run() {
   } else {
     motion_.termination = {Status::stopped, failure_};
     if (motion_.speed != 0.0)
-      motion_.termination.reason +=
-          fmt::format("; up to speed {:.6g} it was found", motion_.speed);
+      motion_.termination.reason += fmt::format("; up to speed {:.6g} it was found", motion_.speed);
     else
       motion_.termination.reason += ": more damping, modes or a lower speed may help";
   }

@@ -25,9 +25,10 @@ struct PeriodicMotionStudy {
   InertiaSettings inertia;
   int outputs = 180;         ///< intervals per turn
   double tolerance = 1e-6;   ///< per step, of displacements in mean flexure lengths
-  double miss = 1e-9;        ///< by which the orbit may miss itself after a turn, in the same
+  double miss = 1e-8;        ///< by which the orbit may miss itself after a turn, as FreeState
+                             ///< measures: what bends a flexure by an angle counts about that
   int multipliers = 6;       ///< so many of the largest are wanted
-  int most_iterations = 30;  ///< of the search at one speed
+  int most_turns = 150;      ///< of the search at one speed, linearised ones included
   bool slower_first = true;  ///< where none is found directly, from lower speeds upwards
 };
 

@@ -15,7 +15,7 @@ using Integrator = Radau<MotionSystem, Moment, MotionFactor>;
 /// beside it.
 constexpr double most_left = 1e-10;
 constexpr double difference = 1e-5;
-/// How far a state may be from the one that steps were made for, in mean flexure lengths.
+/// How far a state may be from the one that steps were made for.
 constexpr double near = 1e-3;
 
 double newton_tolerance(double tolerance) { return std::min(1e-3 * tolerance, most_left); }
@@ -48,7 +48,7 @@ TurnMap::TurnMap(MotionSystem& system, const Moment& about, TurnSettings setting
 bool TurnMap::march(Moment& moment) {
   const double duration = settings_.duration;
   const double interval = duration / settings_.outputs;
-  const std::size_t most_steps = 20000 + 50 * static_cast<std::size_t>(settings_.outputs);
+  const std::size_t most_steps = 5000 + 20 * static_cast<std::size_t>(settings_.outputs);
   std::vector<Step> goals;
   for (int k = 1; k <= settings_.outputs; ++k)
     goals.push_back({0.0, k == settings_.outputs ? duration : interval * k, false, true});

@@ -12,8 +12,8 @@ namespace flexura {
 /// How a turn from time 0 to `duration` is integrated.
 struct TurnSettings {
   double duration = 0.0;
-  int outputs = 0;             ///< equal intervals; every step ends at the next output at the latest
-  double tolerance = 0.0;      ///< of a step's error
+  int outputs = 0;         ///< equal intervals; every step ends at the next output at the latest
+  double tolerance = 0.0;  ///< of a step's error
   std::vector<double> breaks;  ///< times at which loads or imposed motions kink
 };
 

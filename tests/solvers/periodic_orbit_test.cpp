@@ -125,8 +125,8 @@ struct Duffing {
   double driven = 1.0;
 
   VectorXd operator()(double t, const VectorXd& x) const {
-    return Eigen::Vector2d(x[1], force * std::cos(driven * t) - 2.0 * damping * x[1] - x[0] -
-                                     x[0] * x[0] * x[0]);
+    return Eigen::Vector2d(
+        x[1], force * std::cos(driven * t) - 2.0 * damping * x[1] - x[0] - x[0] * x[0] * x[0]);
   }
 };
 
@@ -174,8 +174,8 @@ class HarmonicBalance {
         v += w * (shares[2 * h + 1] * c - shares[2 * h] * s);
         a -= w * w * (shares[2 * h] * c + shares[2 * h + 1] * s);
       }
-      const double left = a + 2.0 * duffing_.damping * v + x + x * x * x -
-                          duffing_.force * std::cos(phase);
+      const double left =
+          a + 2.0 * duffing_.damping * v + x + x * x * x - duffing_.force * std::cos(phase);
       for (int h = 0; h < harmonics; ++h) {
         r[2 * h] += left * std::cos((2 * h + 1) * phase) / samples;
         r[2 * h + 1] += left * std::sin((2 * h + 1) * phase) / samples;

@@ -64,8 +64,8 @@ TEST(PeriodicMotion, IsWhereALongTransientComes) {
   const ModelingMotion motion = move(turned, waiting, exact_modes(2));
   double worst = 0.0;
   for (std::size_t k = 0; k <= 12; ++k)
-    worst = std::max(worst, apart(places(bar, orbit, k),
-                                  motion.states.at(12 * (turns - 1) + k).state));
+    worst =
+        std::max(worst, apart(places(bar, orbit, k), motion.states.at(12 * (turns - 1) + k).state));
   note_measured("difference", worst);
   EXPECT_LT(worst, 1e-6);
 }
@@ -91,8 +91,8 @@ Vec2 rigid_pin(double angle) {
   const double follower = std::hypot(10.0 - 7.783913, 10.416883);
   const Vec2 apart = d - a;
   const double distance = norm(apart);
-  const double along = (distance * distance + coupler * coupler - follower * follower) /
-                       (2.0 * distance);
+  const double along =
+      (distance * distance + coupler * coupler - follower * follower) / (2.0 * distance);
   const double across = std::sqrt(coupler * coupler - along * along);
   return a + (1.0 / distance) * (along * apart + across * perp(apart));
 }
@@ -157,14 +157,15 @@ TEST(PeriodicMotion, LightDampingCostsFewTurns) {
   EXPECT_GT(waiting, 5.0 * (orbit.turns + orbit.flows));
 }
 
-/// The crank's driver may have any history of its own, and other modelings do the same.
+/// The crank's driver may have any history of its own, and other modelings do the same. (Damping by
+/// the rate of elastic forces is not quite the same law in elements: their forces also turn with
+/// them. Hence little of it.)
 TEST(PeriodicMotion, ElementsAgree) {
   Model bar = turcic_midha_four_bar();
   bar.drivers[0].history = StepHistory{0.3};
-  PeriodicMotionStudy study = turning(200.0, 3e-4);
-  study.tolerance = 1e-7;
-  const PeriodicMotion modes = find(bar, study, 5);
-  const PeriodicMotion elements = find_periodic_motion(bar, study, beam(4, 3));
+  PeriodicMotionStudy study = turning(200.0, 2e-5);
+  const PeriodicMotion modes = find(bar, study, 4);
+  const PeriodicMotion elements = find_periodic_motion(bar, study, beam(2, 4));
   ASSERT_TRUE(elements.termination.converged()) << elements.termination.reason;
   double worst = 0.0;
   for (std::size_t k = 0; k <= 12; ++k)
@@ -172,7 +173,35 @@ TEST(PeriodicMotion, ElementsAgree) {
   note_measured("difference", worst);
   EXPECT_LT(worst, 1e-5);
   EXPECT_LT(std::abs(std::abs(modes.multipliers.at(0)) - std::abs(elements.multipliers.at(0))),
-            2e-3);
+            1e-2);
+}
+
+/// Where it cannot be found directly, it is from lower speeds; where not at all, the study says how
+/// far it came and keeps that orbit. Unstable ones are orbits all the same: no transient waits for
+/// this one.
+TEST(PeriodicMotion, SpeedsAreReachedFromLowerOnes) {
+  const Mechanism bar = turcic_midha_four_bar();
+  PeriodicMotionStudy study = turning(600.0, 1e-4);
+  study.tolerance = 1e-5;
+  study.most_turns = 60;
+  const PeriodicMotion orbit = find(bar, study);
+  ASSERT_GT(orbit.speeds.size(), 2u);
+  EXPECT_FALSE(orbit.speeds.front().found);
+  EXPECT_EQ(orbit.speed, study.speed);
+  EXPECT_GT(std::abs(orbit.multipliers.at(0)), 1.5);
+
+  study.slower_first = false;
+  const PeriodicMotion direct = find_periodic_motion(bar, study, exact_modes(2));
+  EXPECT_EQ(direct.termination.status, Status::stopped);
+  EXPECT_EQ(direct.speed, 0.0);
+  EXPECT_TRUE(direct.moments.empty());
+  study.slower_first = true;
+  study.most_turns = 12;
+  const PeriodicMotion part = find_periodic_motion(bar, study, exact_modes(2));
+  EXPECT_EQ(part.termination.status, Status::stopped);
+  EXPECT_NE(part.termination.reason.find("it was found"), std::string::npos);
+  EXPECT_GT(part.speed, 0.4 * study.speed);
+  EXPECT_EQ(part.moments.size(), 13u);
 }
 
 std::string refusal(const PeriodicMotionStudy& study) {
