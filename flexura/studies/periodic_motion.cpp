@@ -153,14 +153,15 @@ Eigen::VectorXd PeriodicSearch::predicted(double speed) const {
 
 /// In steps that grow where a speed costs little and shrink where it fails.
 void PeriodicSearch::speed_up() {
-  constexpr double smallest = 0.002;  // of the speed's logarithm
+  constexpr double smallest = 0.005;  // of the speed's logarithm
   constexpr int few = 4;              // iterations
   double step = 0.5 * std::log(study_.speed / motion_.speed);
   while (motion_.speed != study_.speed && step > smallest && !cancelled_) {
     const double left = std::log(study_.speed / motion_.speed);
     const double speed = step > 0.99 * left ? study_.speed : motion_.speed * std::exp(step);
+    const double tried = std::log(speed / motion_.speed);
     if (!try_speed(speed, predicted(speed))) {
-      step *= 0.4;
+      step = 0.4 * tried;
     } else if (motion_.speeds.back().iterations <= few) {
       step *= 1.6;
     }
