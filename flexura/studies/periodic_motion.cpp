@@ -34,18 +34,18 @@ class PeriodicSearch {
   PeriodicMotion run();
 
  private:
-  /// An orbit: its free state and the speed.
+  /// Where an orbit starts. Rates per speed hardly change at low speeds.
   struct Orbit {
     double speed = 0.0;
-    Eigen::VectorXd x;
+    Eigen::VectorXd q, rates;
   };
-  bool try_speed(double speed, const std::optional<Eigen::VectorXd>& start);
-  void keep(std::unique_ptr<MotionSystem> system, TurnMap& map,
+  bool try_speed(double speed, const std::optional<Orbit>& start);
+  bool keep(std::unique_ptr<MotionSystem> system, TurnMap& map,
             const PeriodicOrbitSummary& summary);
   void explain(const PeriodicOrbitSummary& summary, double speed, const TurnMap& map);
   bool find_slower();
   void speed_up();
-  Eigen::VectorXd predicted(double speed) const;
+  Orbit predicted(double speed) const;
 
   TurnLayout layout_;
   const PeriodicMotionStudy& study_;
@@ -57,10 +57,9 @@ class PeriodicSearch {
 };
 
 /// From a free state, or from the drawn mechanism moving as if rigid.
-bool PeriodicSearch::try_speed(double speed, const std::optional<Eigen::VectorXd>& start) {
+bool PeriodicSearch::try_speed(double speed, const std::optional<Orbit>& start) {
   auto system = std::make_unique<MotionSystem>(layout_.at(speed));
   const double period = period_of(speed);
-  // about the drawn state at every speed: free states can be compared
   TurnMap map(*system, system->drawn_moment(),
               {period, study_.outputs, study_.tolerance, layout_.breaks(speed)});
   PeriodicOrbitOptions options;
@@ -69,30 +68,35 @@ bool PeriodicSearch::try_speed(double speed, const std::optional<Eigen::VectorXd
   options.multipliers = speed == study_.speed ? study_.multipliers : 0;
   options.keep_going = keep_going_;
   PeriodicOrbit<TurnMap> orbit(map, options);
-  Eigen::VectorXd x = start ? *start : map.free_state().reduce(rigid_start(*system, period));
+  Moment moment = rigid_start(*system, period);
+  if (start) {
+    moment.q = start->q;
+    moment.v = speed * start->rates;
+  }
+  Eigen::VectorXd x = map.free_state().reduce(moment);
   const PeriodicOrbitSummary summary = orbit.solve(x);
   motion_.turns += summary.turns;
   motion_.flows += summary.flows;
   motion_.multiplier_flows += summary.multiplier_flows;
-  motion_.speeds.push_back({speed, summary.converged(),
-                            static_cast<int>(summary.iterations.size()) - 1,
+  motion_.speeds.push_back({speed, false, static_cast<int>(summary.iterations.size()) - 1,
                             summary.turns + summary.flows});
   cancelled_ = summary.outcome == OrbitOutcome::cancelled;
-  if (summary.converged()) {
-    orbits_.push_back({speed, x});
-    keep(std::move(system), map, summary);
-  } else {
-    explain(summary, speed, map);
-  }
+  const bool found = summary.converged() && keep(std::move(system), map, summary);
+  motion_.speeds.back().found = found;
+  if (!found) explain(summary, speed, map);
   motion_.iterations += map.counts().iterations;
-  return summary.converged();
+  return found;
 }
 
-void PeriodicSearch::keep(std::unique_ptr<MotionSystem> system, TurnMap& map,
+bool PeriodicSearch::keep(std::unique_ptr<MotionSystem> system, TurnMap& map,
                           const PeriodicOrbitSummary& summary) {
   ++motion_.turns;
-  if (!map.record(motion_.moments)) motion_.moments.clear();
-  motion_.speed = orbits_.back().speed;
+  std::vector<Moment> moments;
+  if (!map.record(moments)) return false;
+  motion_.moments = std::move(moments);
+  motion_.speed = motion_.speeds.back().speed;
+  const Moment& start = motion_.moments.front();
+  orbits_.push_back({motion_.speed, start.q, start.v / motion_.speed});
   motion_.system = std::move(system);
   motion_.multipliers = summary.multipliers;
   motion_.multiplier_residuals = summary.multiplier_residuals;
@@ -100,6 +104,7 @@ void PeriodicSearch::keep(std::unique_ptr<MotionSystem> system, TurnMap& map,
   motion_.misses.clear();
   for (const OrbitIteration& iteration : summary.iterations)
     motion_.misses.push_back(iteration.miss);
+  return true;
 }
 
 void PeriodicSearch::explain(const PeriodicOrbitSummary& summary, double speed,
@@ -124,8 +129,7 @@ void PeriodicSearch::explain(const PeriodicOrbitSummary& summary, double speed,
     default:
       failure_ = fmt::format(
           "at speed {:.6g} {} turns do not find a motion that repeats itself: the last misses "
-          "itself "
-          "by {:.3g} (as radians of bending) after a turn",
+          "itself by {:.3g} (as radians of bending) after a turn",
           speed, summary.turns + summary.flows, summary.miss());
   }
 }
@@ -141,14 +145,15 @@ bool PeriodicSearch::find_slower() {
   return false;
 }
 
-/// Along the line through the last two orbits, by the speed's logarithm: free states hold rates
-/// per speed, so that at low speed they hardly change.
-Eigen::VectorXd PeriodicSearch::predicted(double speed) const {
+/// Along the line through the last two orbits, by the speed's logarithm.
+PeriodicSearch::Orbit PeriodicSearch::predicted(double speed) const {
   const Orbit& last = orbits_.back();
-  if (orbits_.size() < 2) return last.x;
+  if (orbits_.size() < 2) return last;
   const Orbit& before = orbits_[orbits_.size() - 2];
-  const double share = std::log(speed / last.speed) / std::log(last.speed / before.speed);
-  return last.x + std::min(share, 2.0) * (last.x - before.x);
+  const double share =
+      std::min(2.0, std::log(speed / last.speed) / std::log(last.speed / before.speed));
+  return {speed, last.q + share * (last.q - before.q),
+          last.rates + share * (last.rates - before.rates)};
 }
 
 /// In steps that grow where a speed costs little and shrink where it fails.

@@ -41,8 +41,7 @@ TurnMap::TurnMap(MotionSystem& system, const Moment& about, TurnSettings setting
       settings_(std::move(settings)),
       free_state_(system, about, settings_.duration / (2.0 * std::numbers::pi)),
       rotations_(rotations_of(system)),
-      multipliers_(about.multipliers),
-      windings_(Eigen::VectorXd::Zero(about.q.size())) {}
+      multipliers_(about.multipliers) {}
 
 /// By tolerance, through outputs and breaks; notes the steps.
 bool TurnMap::march(Moment& moment) {
@@ -69,6 +68,7 @@ bool TurnMap::march(Moment& moment) {
       if (!through) break;
     }
     moment.time = goal.end;
+    if (steps_.empty()) continue;  // a break right at the start
     Step& last = steps_.back();
     last.end = goal.end;
     last.is_output = last.is_output || goal.is_output;
@@ -105,8 +105,8 @@ bool TurnMap::close_turn(const Moment& start, Moment& end, Eigen::VectorXd& x) {
   MotionFactor<double> factor;
   if (!project_rates(system_, end, steps_.back().length, factor)) return false;
   for (const Eigen::Index i : rotations_) {
-    windings_[i] = std::round((end.q[i] - start.q[i]) / (2.0 * std::numbers::pi));
-    end.q[i] -= 2.0 * std::numbers::pi * windings_[i];
+    const double windings = std::round((end.q[i] - start.q[i]) / (2.0 * std::numbers::pi));
+    end.q[i] -= 2.0 * std::numbers::pi * windings;
   }
   x = free_state_.reduce(end);
   return x.allFinite();

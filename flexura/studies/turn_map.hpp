@@ -37,8 +37,6 @@ class TurnMap {
   const MarchCounts& counts() const { return counts_; }
   /// Steps in a turn at present.
   int steps_per_turn() const { return static_cast<int>(steps_.size()); }
-  /// Times that rotations wind in a turn, by coordinate; of the last turn.
-  const Eigen::VectorXd& windings() const { return windings_; }
 
  private:
   struct Step {
@@ -59,7 +57,6 @@ class TurnMap {
   Eigen::VectorXd stepped_for_;  // the state that they were made for
   Eigen::VectorXd at_, end_;     // of the last turn
   Eigen::VectorXd multipliers_;  // at the start of a turn, about
-  Eigen::VectorXd windings_;
   double failed_at_ = 0.0;
   MarchCounts counts_;
 };
