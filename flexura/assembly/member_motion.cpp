@@ -58,7 +58,7 @@ void MemberMotion::move_point(std::size_t g, const BaseMotion& base, double mass
 
 /// The elastic forces' rate is that of the energy's gradient along v.
 void MemberMotion::add_stiffness_damping(const double* y, const double* v, double factor) {
-  port_->linearize(Eigen::Vector3d::Zero(), y, nullptr, work_);
+  port_->linearize_energy(y, work_);
   multiply_symmetric(work_.tangent.data(), port_->layout(), v, elastic_rate_.data());
   for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] += factor * elastic_rate_[i];
 }
@@ -76,7 +76,7 @@ void MemberMotion::linearize(const Eigen::Vector3d& load, const double* y, bool 
   const BandLayout layout = port_->layout();
   elastic_.clear();
   if (with_elastic) {
-    port_->linearize(Eigen::Vector3d::Zero(), y, nullptr, work_);
+    port_->linearize_energy(y, work_);
     elastic_ = work_.tangent;
   }
   std::fill(mass_.begin(), mass_.end(), 0.0);

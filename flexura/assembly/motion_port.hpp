@@ -75,6 +75,10 @@ class MotionPort {
   /// work's tangent; the slopes of the places.
   virtual void linearize(const Eigen::Vector3d& load, const double* y, const Vec2* weights,
                          MemberWork& work) const = 0;
+  /// Second derivatives of the energy by itself into the work's tangent.
+  virtual void linearize_energy(const double* y, MemberWork& work) const {
+    linearize(Eigen::Vector3d::Zero(), y, nullptr, work);
+  }
 
   /// Stations for results, as TwoPort::sections. Forces are those of the sections' strains where
   /// the modeling knows them, and else those that hold the load on the tip.

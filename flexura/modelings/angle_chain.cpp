@@ -289,4 +289,9 @@ void AngleChainMotion::linearize(const Eigen::Vector3d& load, const Vec2* weight
   }
 }
 
+/// Quadratic: nothing to evaluate, which damping by the rate of elastic forces asks for every time.
+void AngleChainMotion::linearize_energy(MemberWork& work) const {
+  std::copy(chain_.stiffness.begin(), chain_.stiffness.end(), work.tangent.begin());
+}
+
 }  // namespace flexura

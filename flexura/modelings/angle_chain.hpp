@@ -75,6 +75,7 @@ class AngleChainMotion {
                               const double* a, MemberWork& work) const;
   void add_forces(const Vec2* forces, MemberWork& work, double* residual) const;
   void linearize(const Eigen::Vector3d& load, const Vec2* weights, MemberWork& work) const;
+  void linearize_energy(MemberWork& work) const;
 
  private:
   /// An arm's angle, stretch and shear.

@@ -39,6 +39,9 @@ class ExactMotionPort final : public MotionPort {
                  MemberWork& work) const override {
     motion_.linearize(load, weights, work);
   }
+  void linearize_energy(const double* /*y*/, MemberWork& work) const override {
+    motion_.linearize_energy(work);
+  }
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override;
   std::vector<double> adopt(std::span<const SectionState> sections,
                             std::span<const double> internal) const override;

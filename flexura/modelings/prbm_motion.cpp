@@ -36,6 +36,9 @@ class PrbmMotionPort final : public MotionPort {
                  MemberWork& work) const override {
     motion_.linearize(load, weights, work);
   }
+  void linearize_energy(const double* /*y*/, MemberWork& work) const override {
+    motion_.linearize_energy(work);
+  }
   std::vector<SectionState> sections(const Eigen::Vector3d& load, const double* y) const override {
     return still_->sections(load, {y, internal_size()});
   }

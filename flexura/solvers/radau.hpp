@@ -234,7 +234,7 @@ requires MotionProblem<System, State, Factor>
 void Radau<System, State, Factor>::solve_stages(const State& state, double h, StepReport& report) {
   constexpr int most_iterations = 12;
   const double force_tolerance = 1e4 * options_.newton_tolerance;  // relative
-  double before = 0.0;
+  double before = 0.0, two_before = 0.0;
   for (int k = 1; k <= most_iterations; ++k) {
     const double size = iterate(state, h);
     ++report.iterations;
@@ -242,7 +242,8 @@ void Radau<System, State, Factor>::solve_stages(const State& state, double h, St
     const double rate = k > 1 ? size / before : 0.5;
     const bool accepted = report.outcome == StepOutcome::accepted;
     if (k > 1 && !accepted) contraction_ = std::max(contraction_, rate);
-    if (k > 2 && rate > 0.9) break;
+    // it may contract by turns only, in every second iteration
+    if (k > 2 && rate > 0.9 && size > 0.5 * two_before) break;
     if (size < options_.newton_tolerance ||
         (k > 1 && contraction_ < 1.0 &&
          size * contraction_ / (1.0 - contraction_) < options_.newton_tolerance)) {
@@ -250,6 +251,7 @@ void Radau<System, State, Factor>::solve_stages(const State& state, double h, St
       // forces may lag behind where constraints alone decide the coordinates
       if (force_change_ < force_tolerance || rate > 0.5) break;
     }
+    two_before = before;
     before = size;
   }
 }
