@@ -113,17 +113,13 @@ CsvText LinkageFiles::rigid() const {
 }
 
 CsvText LinkageFiles::speeds() const {
-  std::vector<std::string> columns{"angular_speed", "largest_multiplier"};
+  std::vector<std::string> columns{"angular_speed", "largest_multiplier", "buckles"};
   for (const std::string& flexure : linkage_.flexures) columns.push_back(flexure + ".peak_strain");
   CsvWriter csv(std::move(columns));
   for (const SpeedState& state : linkage_.speeds) {
     csv.number(state.speed);
-    if (!state.solved) {
-      for (std::size_t k = 0; k <= linkage_.flexures.size(); ++k) csv.word("");
-      csv.end_row();
-      continue;
-    }
-    csv.number(state.multipliers.empty() ? 0.0 : std::abs(state.multipliers.front()));
+    csv.number(state.multipliers.empty() ? 0.0 : std::abs(state.multipliers.front()))
+        .word(state.buckles ? "yes" : "no");
     for (const double strain : state.peak_strain) csv.number(strain);
     csv.end_row();
   }

@@ -89,6 +89,23 @@ struct LinkageRules {
     mistakes.require_between(path / "speeds" / "count", study.speeds->count, 2, most_speeds);
   }
 
+  /// The nonlinear motion is that of geometrically exact flexures at a constant speed.
+  void check_nonlinear() const {
+    if (!study.uses(LinkageStudy::Method::nonlinear)) return;
+    if (!study.fluctuation.empty())
+      mistakes.add(path / "speed_fluctuation",
+                   "method nonlinear turns at a constant speed: the other methods let it vary");
+    for (const Flexure& flexure : model.flexures)
+      if (flexure.link)
+        mistakes.add(path / "methods",
+                     fmt::format("method nonlinear takes strips, and flexure '{}' has another shape",
+                                 flexure.name));
+    if (study.damping.modal == 0.0 && study.damping.stiffness == 0.0)
+      mistakes.add(path / "damping",
+                   "method nonlinear needs damping (modal, or stiffness): without it no motion "
+                   "settles to a periodic one");
+  }
+
   void check_rest() const {
     for (const Spring& spring : model.springs)
       mistakes.add(path / "kind",
@@ -124,6 +141,7 @@ void check_motion(const Model& model, const LinkageStudy& study, const KeyPath& 
   rules.check_modeling();
   rules.check_loads_of_turn();
   rules.check_speeds();
+  rules.check_nonlinear();
   rules.check_rest();
 }
 

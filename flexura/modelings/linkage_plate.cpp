@@ -8,7 +8,7 @@
 namespace flexura {
 namespace {
 
-constexpr int station_count = 25;
+constexpr int plate_stations = 25;
 constexpr double small = 1e-5;  // of internal unknowns, which are of order one
 
 /// Displacements and stresses of a field's nodes by the unknowns of a link.
@@ -73,15 +73,15 @@ void add_plate_readings(ElasticLink& link, const MotionPort& port, const Materia
   const double length = norm(chord);
   const Vec2 along = (1.0 / length) * chord, across = perp(along);
   const auto middle_of = [&](std::size_t n) {
-    const double s = dot(rows.drawn[n], along) / length * (station_count - 1);
-    return static_cast<std::size_t>(std::clamp(std::lround(s), 0L, station_count - 1L));
+    const double s = dot(rows.drawn[n], along) / length * (plate_stations - 1);
+    return static_cast<std::size_t>(std::clamp(std::lround(s), 0L, plate_stations - 1L));
   };
   for (std::size_t n = 0; n < rows.drawn.size(); ++n) link.field.station.push_back(middle_of(n));
   const Eigen::Index size = link.size();
   const Eigen::RowVectorXd none = Eigen::RowVectorXd::Zero(size);
-  for (int k = 0; k < station_count; ++k) {
+  for (int k = 0; k < plate_stations; ++k) {
     ElasticLink::Station station;
-    station.s = length * k / (station_count - 1);
+    station.s = length * k / (plate_stations - 1);
     station.place = link.base + station.s * along;
     // drawn by its chord: what the nearest node does
     std::size_t nearest = 0;

@@ -109,7 +109,7 @@ Json make_linkage_json(const LinkageResult& linkage, const DrawnCoordinates& coo
   Json speeds = Json::array();
   for (const SpeedState& state : linkage.speeds)
     speeds.push_back({{"speed", rounded(state.speed)},
-                      {"solved", state.solved},
+                      {"buckles", state.buckles},
                       {"multipliers", complex_json(state.multipliers)},
                       {"peak_strain", numbers(state.peak_strain)}});
   Json strengths = Json::array();

@@ -64,7 +64,7 @@ struct SpeedState {
   double speed = 0.0;                             ///< rad per time
   std::vector<std::complex<double>> multipliers;  ///< largest first
   std::vector<double> peak_strain;
-  bool solved = true;  ///< false where the linkage buckles in the turn
+  bool buckles = false;  ///< a link would at rest, somewhere in the turn
 };
 
 /// One study of kind `linkage`.

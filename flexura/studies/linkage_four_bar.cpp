@@ -83,7 +83,7 @@ void describe_four_bar(const LinkageTurn& turn, LinkageResult& result) {
   };
   const double drawn = direction(rod) - direction(rocker);
   for (RigidPosition& position : result.positions) {
-    const RigidState& state = turn.state(position.angle);
+    const RigidState& state = turn.state(std::abs(position.angle));
     const double angle = drawn + state.parts[bar->coupler].turn - state.parts[bar->follower].turn;
     // between lines: 0 to 90 degrees
     position.transmission_angle = std::asin(std::min(1.0, std::abs(std::sin(angle))));

@@ -15,6 +15,10 @@ constexpr int most_passes = 20;   // with the axial forces of the last
 constexpr double same_motion = 1e-9;
 constexpr int transient_stages = 3;
 
+const char* const buckling_remark =
+    "axial forces at some angle are beyond what a link bears at rest: it does not buckle in passing, "
+    "but linear theory is at its end; modes that damp are those without axial forces";
+
 std::string buckles(double angle) {
   return fmt::format(
       "a link buckles at {:.4g} degrees of the drive: its axial force there is "
@@ -51,14 +55,24 @@ class Oscillation {
                          const std::vector<Eigen::VectorXd>& displacements) {
     for (std::size_t k = 0; k < angles.size(); ++k) known_[angles[k]] = displacements[k];
   }
+  /// Throws Buckled if a link does at one of these angles.
+  void probe(const std::vector<double>& angles) const {
+    for (const double angle : angles) (*this)(angle);
+  }
+  /// Where links buckle at rest, modes that damp are those of the elastic stiffness.
+  void damp_elastically() { elastic_damping_ = true; }
+  bool damps_elastically() const { return elastic_damping_; }
   OscillationMatrices operator()(double angle) const {
     const auto found = known_.find(angle);
-    return turn_.oscillation(angle, speed_,
-                             found == known_.end() ? turn_.stiffness(angle, speed_)
-                                                   : turn_.stiffness_of(angle, found->second));
+    const Eigen::MatrixXd stiffness = found == known_.end()
+                                          ? turn_.stiffness(angle, speed_)
+                                          : turn_.stiffness_of(angle, found->second);
+    return turn_.oscillation(angle, speed_, stiffness,
+                             elastic_damping_ ? turn_.matrices(angle).stiffness : stiffness);
   }
 
  private:
+  bool elastic_damping_ = false;
   const LinkageTurn& turn_;
   double speed_;
   std::map<double, Eigen::VectorXd> known_;
@@ -82,53 +96,66 @@ LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& /*stud
   return solution;
 }
 
+namespace {
+
+/// Largest distance of two sets of displacements over the largest of the second.
+double distance(const std::vector<Eigen::VectorXd>& before,
+                const std::vector<Eigen::VectorXd>& now) {
+  double change = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    change = std::max(change, (now[k] - before[k]).norm());
+    size = std::max(size, now[k].norm());
+  }
+  return change / std::max(size, 1e-300);
+}
+
+/// With the axial forces of the pass before, until they are its own; one pass where they are those
+/// at rest. Throws Buckled.
+void pass_until_agreed(LinkageTurn& turn, const std::vector<double>& ends, bool dynamic,
+                       double speed, Oscillation& matrices, LinkageSolution& solution) {
+  const std::vector<double> angles = LinkageTurn::stage_angles(ends, periodic_stages);
+  std::vector<Eigen::VectorXd> before;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const PeriodicOscillation oscillation(ends, periodic_stages, matrices);
+    const PeriodicOscillation::Periodic periodic = oscillation.solve_periodic();
+    solution.iterations += periodic.turns;
+    solution.multipliers = periodic.multipliers;
+    solution.states = at_positions(turn, speed, ends, oscillation.states(periodic.start));
+    if (!(periodic.residual < 1e-8)) {
+      solution.termination = {Status::stopped,
+                              "no periodic motion: a multiplier of Floquet is 1, a resonance "
+                              "without damping. Damping, or another speed, helps"};
+      return;
+    }
+    std::vector<Eigen::VectorXd> now = oscillation.stage_displacements(periodic.start);
+    if (!dynamic || (!before.empty() && distance(before, now) <= same_motion)) {
+      solution.termination = {Status::converged, {}};
+      return;
+    }
+    before = std::move(now);
+    matrices.set_displacements({angles.begin() + 1, angles.end()}, before);
+  }
+  solution.termination = {Status::stopped,
+                          "the axial forces of the vibration and the stiffness that they give do "
+                          "not come to agree: the linkage is beyond what this theory can say"};
+}
+
+}  // namespace
+
 LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed) {
   LinkageSolution solution;
   const std::vector<double> ends = turn.interval_ends(1);
-  const std::vector<double> angles = LinkageTurn::stage_angles(ends, periodic_stages);
-  if (!turn.visit(angles)) return solution;
+  if (!turn.visit(LinkageTurn::stage_angles(ends, periodic_stages))) return solution;
   const bool dynamic = study.geometric_stiffness == LinkageStudy::GeometricStiffness::dynamic;
   Oscillation matrices(turn, speed);
   solution.counted = "turns";
-  std::vector<Eigen::VectorXd> before;
   try {
-    for (int pass = 0; pass < most_passes; ++pass) {
-      const PeriodicOscillation oscillation(ends, periodic_stages, matrices);
-      const PeriodicOscillation::Periodic periodic = oscillation.solve_periodic();
-      solution.iterations += periodic.turns;
-      solution.multipliers = periodic.multipliers;
-      const std::vector<OscillationState> states = oscillation.states(periodic.start);
-      solution.states = at_positions(turn, speed, ends, states);
-      if (!(periodic.residual < 1e-8)) {
-        solution.termination = {
-            Status::stopped,
-            "no periodic motion: a multiplier of Floquet is 1, a resonance without damping. "
-            "Damping, or another speed, helps"};
-        return solution;
-      }
-      if (!dynamic) break;
-      const std::vector<Eigen::VectorXd> now = oscillation.stage_displacements(periodic.start);
-      double change = 0.0, size = 0.0;
-      for (std::size_t k = 0; k < now.size(); ++k) {
-        if (!before.empty()) change = std::max(change, (now[k] - before[k]).norm());
-        size = std::max(size, now[k].norm());
-      }
-      if (!before.empty() && change <= same_motion * size) break;
-      before = now;
-      matrices.set_displacements({angles.begin() + 1, angles.end()}, now);
-      if (pass + 1 == most_passes) {
-        solution.termination = {Status::stopped,
-                                "the axial forces of the vibration and the stiffness that they "
-                                "give do not come to agree: the linkage is beyond what this theory "
-                                "can say"};
-        return solution;
-      }
-    }
-  } catch (const LinkageTurn::Buckled& buckled) {
-    solution.termination = {Status::stopped, buckles(buckled.angle)};
-    return solution;
+    pass_until_agreed(turn, ends, dynamic, speed, matrices, solution);
+  } catch (const LinkageTurn::Buckled&) {
+    matrices.damp_elastically();
+    solution.remark = buckling_remark;
+    pass_until_agreed(turn, ends, dynamic, speed, matrices, solution);
   }
-  solution.termination = {Status::converged, {}};
   return solution;
 }
 
@@ -138,29 +165,31 @@ LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, do
   const std::vector<double> ends = turn.interval_ends(2);
   if (!turn.visit(LinkageTurn::stage_angles(ends, transient_stages))) return solution;
   solution.counted = "turns";
+  Oscillation matrices(turn, speed);
   try {
-    const PeriodicOscillation oscillation(ends, transient_stages, Oscillation(turn, speed));
-    Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * oscillation.size());
-    y.head(oscillation.size()) = turn.static_displacement(0.0, speed);
-    double change = 1.0;
-    for (; solution.iterations < study.turns && change > settled; ++solution.iterations) {
-      const Eigen::VectorXd after = oscillation.advance(y, true);
-      change = (after - y).norm() / std::max(after.norm(), 1e-300);
-      y = after;
-      if (keep_going && !keep_going(static_cast<double>(solution.iterations) / study.turns)) break;
-    }
-    solution.states = at_positions(turn, speed, ends, oscillation.states(y));
-    solution.termination = {Status::converged, {}};
-    if (!std::isfinite(change) || change > settled)
-      solution.termination = {
-          Status::stopped,
-          fmt::format(
-              "after {} turns the motion still changes by {:.2g} in a turn: more `turns`, or "
-              "more damping, lets it settle, unless it grows",
-              solution.iterations, change)};
-  } catch (const LinkageTurn::Buckled& buckled) {
-    solution.termination = {Status::stopped, buckles(buckled.angle)};
+    matrices.probe(turn.positions());
+  } catch (const LinkageTurn::Buckled&) {
+    matrices.damp_elastically();
+    solution.remark = buckling_remark;
   }
+  const PeriodicOscillation oscillation(ends, transient_stages, matrices);
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * oscillation.size());
+  y.head(oscillation.size()) = turn.static_displacement(0.0, speed);
+  double change = 1.0;
+  for (; solution.iterations < study.turns && change > settled; ++solution.iterations) {
+    const Eigen::VectorXd after = oscillation.advance(y, true);
+    change = (after - y).norm() / std::max(after.norm(), 1e-300);
+    y = after;
+    if (keep_going && !keep_going(static_cast<double>(solution.iterations) / study.turns)) break;
+  }
+  solution.states = at_positions(turn, speed, ends, oscillation.states(y));
+  solution.termination = {Status::converged, {}};
+  if (!std::isfinite(change) || change > settled)
+    solution.termination = {
+        Status::stopped,
+        fmt::format("after {} turns the motion still changes by {:.2g} in a turn: more `turns`, or "
+                    "more damping, lets it settle, unless it grows",
+                    solution.iterations, change)};
   return solution;
 }
 

@@ -31,6 +31,19 @@ LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, do
 /// 1984).
 LinkageSolution solve_midha(LinkageTurn& turn, const LinkageStudy& study, double speed);
 
+/// The periodic motion of the same linkage as a mechanism of geometrically exact flexures, without
+/// the assumption of small displacements, at the study's speed and at lower ones; beside each, how
+/// far kineto-elastodynamics with the same damping is off. Modal damping, which belongs to a
+/// position, is replaced by one proportional to the elastic forces, of the same share in the first
+/// mode.
+struct NonlinearComparison {
+  LinkageMotion motion;
+  std::vector<std::string> notes;
+};
+NonlinearComparison compare_with_nonlinear(const Model& model, const LinkageStudy& study,
+                                           const LinkageTurn& turn, const LinkageResult& result,
+                                           const std::function<bool(double)>& keep_going);
+
 /// Natural frequencies at all positions, ascending, and followed by their shapes.
 void find_frequencies(const LinkageTurn& turn, const LinkageStudy& study, double speed,
                       LinkageResult& result);

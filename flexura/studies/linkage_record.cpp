@@ -48,13 +48,14 @@ Eigen::VectorXd by_columns(const RigidLinkage& rigid,
 }
 
 /// Inverse dynamics: what the joints carry and the drive turns with, for rigid links.
-void record_forces(const LinkageTurn& turn, double speed, RigidPosition& position) {
+void record_forces(const LinkageTurn& turn, double angle, double speed,
+                   RigidPosition& position) {
   const LinkageSystem& system = turn.system();
   const RigidLinkage& rigid = system.rigid();
-  const RigidState& state = turn.state(position.angle);
+  const RigidState& state = turn.state(angle);
   const Eigen::MatrixXd jacobian = rigid.jacobian(state);
   const Eigen::Index n = jacobian.cols();
-  const auto inertia = system.inertia_forces(state, turn.drive(position.angle), speed);
+  const auto inertia = system.inertia_forces(state, turn.drive(angle), speed);
   const Eigen::VectorXd needed =
       by_columns(rigid, inertia, n) - by_columns(rigid, system.load_forces(state), n);
   const Eigen::MatrixXd transposed = jacobian.leftCols(n - 1).transpose();
@@ -112,7 +113,7 @@ void record_rigid_motion(const Model& model, const LinkageStudy& study, const Li
   for (const double angle : turn.positions()) {
     const RigidState& state = turn.state(angle);
     RigidPosition position;
-    position.angle = angle;
+    position.angle = turn.sense() * angle;
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
       if (model.bodies[b].fixed) continue;
       const std::size_t part = parts.of_bodies[b];
@@ -127,7 +128,7 @@ void record_rigid_motion(const Model& model, const LinkageStudy& study, const Li
         axis.push_back(moved(system, state, member.part, station.place));
       position.flexures.push_back(std::move(axis));
     }
-    record_forces(turn, result.speed, position);
+    record_forces(turn, angle, result.speed, position);
     result.positions.push_back(std::move(position));
   }
 }
@@ -153,6 +154,16 @@ Eigen::MatrixXd middle_strains(const LinkageStudy& study, const LinkageTurn& tur
     strains.row(static_cast<Eigen::Index>(i)) =
         strains_at(study, turn, angles[i], speed, states[i]);
   return strains;
+}
+
+double strain_distance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  double worst = 0.0;
+  const double largest = b.cwiseAbs().maxCoeff();
+  for (Eigen::Index m = 0; m < a.cols(); ++m) {
+    const double size = std::max(b.col(m).cwiseAbs().maxCoeff(), 1e-6 * largest);
+    if (size > 0.0) worst = std::max(worst, (a.col(m) - b.col(m)).cwiseAbs().maxCoeff() / size);
+  }
+  return worst;
 }
 
 namespace {

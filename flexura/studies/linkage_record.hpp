@@ -32,4 +32,7 @@ Eigen::RowVectorXd strains_at(const LinkageStudy& study, const LinkageTurn& turn
 Eigen::MatrixXd middle_strains(const LinkageStudy& study, const LinkageTurn& turn, double speed,
                                const std::vector<ElasticState>& states);
 
+/// Largest difference of such strains over the largest of their flexure.
+double strain_distance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
 }  // namespace flexura

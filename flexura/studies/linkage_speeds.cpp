@@ -16,12 +16,15 @@ LinkageStudy coarser(LinkageStudy study) {
   return study;
 }
 
+/// `buckles`: some link would, at rest; modes that damp are then those of the elastic stiffness.
 SpeedState at_speed(const LinkageTurn& turn, const LinkageStudy& study,
-                    const std::vector<double>& ends, double speed) {
-  SpeedState state{speed, {}, {}, true};
+                    const std::vector<double>& ends, double speed, bool buckles) {
+  SpeedState state{speed, {}, {}, buckles};
   try {
     const PeriodicOscillation oscillation(ends, sweep_stages, [&](double angle) {
-      return turn.oscillation(angle, speed, turn.stiffness(angle, speed));
+      const Eigen::MatrixXd stiffness = turn.stiffness(angle, speed);
+      return turn.oscillation(angle, speed, stiffness,
+                              buckles ? turn.matrices(angle).stiffness : stiffness);
     });
     const PeriodicOscillation::Periodic periodic = oscillation.solve_periodic();
     state.multipliers = periodic.multipliers;
@@ -40,7 +43,7 @@ SpeedState at_speed(const LinkageTurn& turn, const LinkageStudy& study,
             std::max(state.peak_strain[m], std::abs(strains[static_cast<Eigen::Index>(m)]));
     }
   } catch (const LinkageTurn::Buckled&) {
-    state.solved = false;
+    if (!buckles) return at_speed(turn, study, ends, speed, true);
   }
   return state;
 }
@@ -60,7 +63,7 @@ std::vector<SpeedState> sweep_speeds(const Model& model, const LinkageStudy& stu
   tbb::parallel_for(std::size_t{0}, states.size(), [&](std::size_t k) {
     if (!going) return;
     const double share = static_cast<double>(k) / static_cast<double>(range.count - 1);
-    states[k] = at_speed(turn, coarse, ends, range.from + share * (range.to - range.from));
+    states[k] = at_speed(turn, coarse, ends, range.from + share * (range.to - range.from), false);
     if (keep_going && !keep_going(static_cast<double>(++done) / range.count)) going = false;
   });
   if (!going) std::erase_if(states, [](const SpeedState& state) { return state.speed == 0.0; });

@@ -92,17 +92,6 @@ LinkageSolution Linkage::solve(Method method, LinkageTurn& turn) const {
   return {};
 }
 
-/// Largest difference of the strains at mid-length over the largest of their flexure.
-double strain_distance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  double worst = 0.0;
-  const double largest = b.cwiseAbs().maxCoeff();
-  for (Eigen::Index m = 0; m < a.cols(); ++m) {
-    const double size = std::max(b.col(m).cwiseAbs().maxCoeff(), 1e-6 * largest);
-    if (size > 0.0) worst = std::max(worst, (a.col(m) - b.col(m)).cwiseAbs().maxCoeff() / size);
-  }
-  return worst;
-}
-
 /// Against a linkage of finer flexures.
 std::optional<double> Linkage::estimate(Method method,
                                         const std::vector<ElasticState>& states) const {
@@ -179,7 +168,14 @@ LinkageResult Linkage::run(Termination& termination) {
   termination.status = Status::converged;
   double done = 0.0;
   for (const Method method : study_.methods) {
-    result_.modelings.push_back(solve_and_record(method));
+    if (method == Method::nonlinear) {
+      NonlinearComparison comparison =
+          compare_with_nonlinear(model_, study_, turn_, result_, keep_going_);
+      result_.modelings.push_back(std::move(comparison.motion));
+      result_.notes = std::move(comparison.notes);
+    } else {
+      result_.modelings.push_back(solve_and_record(method));
+    }
     done += 0.5 / static_cast<double>(study_.methods.size());
     if (keep_going_ && !keep_going_(done)) {
       termination = {Status::stopped, "cancelled"};

@@ -23,7 +23,9 @@ void sort_apart(std::vector<double>& angles) {
 }  // namespace
 
 LinkageTurn::LinkageTurn(const Model& model, const LinkageStudy& study, bool refined)
-    : study_(study), system_(make_linkage(model, study, refined)) {}
+    : study_(study),
+      sense_(std::copysign(1.0, model.drivers[study.driver].amount)),
+      system_(make_linkage(model, study, refined)) {}
 
 DriveRate LinkageTurn::drive(double angle) const {
   DriveRate drive;
@@ -40,11 +42,20 @@ bool LinkageTurn::visit(std::vector<double> angles) {
     return !visits_.empty() && std::abs(at(angle).angle - angle) < same_angle;
   });
   sort_apart(angles);
+  std::vector<double> turns;
+  for (const double angle : angles) turns.push_back(sense_ * angle);
   std::optional<RigidFailure> failure;
-  const std::vector<RigidState> states = system_.rigid().trace(angles, failure);
-  for (std::size_t k = 0; k < states.size(); ++k)
+  std::vector<RigidState> states = system_.rigid().trace(turns, failure);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    RigidState& state = states[k];
+    state.angle = angles[k];
+    for (PartMotion& part : state.parts) {
+      part.first = sense_ * part.first;
+      part.first_turn *= sense_;
+    }
     visits_.push_back(
-        {angles[k], states[k], system_.matrices(states[k], drive(angles[k]), study_.coupling)});
+        {angles[k], state, system_.matrices(state, drive(angles[k]), study_.coupling)});
+  }
   std::sort(visits_.begin(), visits_.end(),
             [](const Visit& a, const Visit& b) { return a.angle < b.angle; });
   if (failure) failure_ = failure;
@@ -96,11 +107,12 @@ std::optional<Eigen::MatrixXd> LinkageTurn::damping(double angle,
 }
 
 OscillationMatrices LinkageTurn::oscillation(double angle, double speed,
-                                             const Eigen::MatrixXd& stiffness) const {
+                                             const Eigen::MatrixXd& stiffness,
+                                             const Eigen::MatrixXd& damped_by) const {
   const LinkageMatrices& m = matrices(angle);
   const DriveRate rate = drive(angle);
   const double w = speed * rate.rate;
-  const auto damped = damping(angle, stiffness);
+  const auto damped = damping(angle, damped_by);
   if (!damped) throw Buckled{angle};
   OscillationMatrices over;
   over.mass = w * w * m.mass;

@@ -10,7 +10,8 @@
 
 namespace flexura {
 
-/// A linkage over one turn of its drive: rigid motion and matrices at the angles asked for.
+/// A linkage over one turn of its drive: rigid motion and matrices at the angles asked for. Angles
+/// are those that the drive has gone through, positive in either sense.
 class LinkageTurn {
  public:
   /// `refined`: with finer flexures.
@@ -20,6 +21,8 @@ class LinkageTurn {
   /// before; false where the linkage cannot follow its drive.
   bool visit(std::vector<double> angles);
   const std::optional<RigidFailure>& failure() const { return failure_; }
+  /// 1 counter-clockwise, -1 clockwise.
+  double sense() const { return sense_; }
 
   /// Of an angle visited before.
   const RigidState& state(double angle) const { return at(angle).state; }
@@ -35,9 +38,11 @@ class LinkageTurn {
   Eigen::MatrixXd stiffness_of(double angle, const Eigen::VectorXd& displacement) const;
   /// Forces of damping by velocities, for a stiffness; nothing where that is not positive definite.
   std::optional<Eigen::MatrixXd> damping(double angle, const Eigen::MatrixXd& stiffness) const;
-  /// Of the oscillation over the angle; throws Buckled where a link buckles.
-  OscillationMatrices oscillation(double angle, double speed,
-                                  const Eigen::MatrixXd& stiffness) const;
+  /// Of the oscillation over the angle. Modes that damp are those of `damped`, which is the
+  /// stiffness itself or, where links buckle at rest, the elastic one; throws Buckled where it is
+  /// not positive definite.
+  OscillationMatrices oscillation(double angle, double speed, const Eigen::MatrixXd& stiffness,
+                                  const Eigen::MatrixXd& damped) const;
   struct Buckled {
     double angle = 0.0;
   };
@@ -58,6 +63,7 @@ class LinkageTurn {
   const Visit& at(double angle) const;
 
   const LinkageStudy& study_;
+  double sense_;
   LinkageSystem system_;
   std::vector<Visit> visits_;  // by ascending angle
   std::optional<RigidFailure> failure_;
