@@ -54,7 +54,8 @@ struct ElasticLink {
 
   Eigen::Index size() const { return stiffness.rows(); }
 
-  Vec2 base, action;  ///< ends as drawn
+  Eigen::Index whole_size = 0;  ///< unknowns before any were left out; 0: none were
+  Vec2 base, action;            ///< ends as drawn
   Eigen::MatrixXd stiffness;
   std::vector<Vec2> places;  ///< of its mass, as drawn
   std::vector<double> masses;

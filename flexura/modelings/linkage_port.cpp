@@ -226,6 +226,8 @@ ElasticLink PortLink::make(int most_modes) {
     add_plate_readings(link_, port_, material_, inside_);
   else
     add_stations();
+  // bodies hold three unknowns of the tip
+  link_.whole_size = drawn_.stiffness.rows() + 3;
   link_.pairs = {0, 3};
   return std::move(link_);
 }

@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "flexura/results/linkage_peaks.hpp"
 #include "flexura/studies/linkage_methods.hpp"
 
 namespace flexura {
@@ -49,7 +51,9 @@ class Linkage {
   bool go_round(Termination& termination);
   LinkageSolution solve(Method method, LinkageTurn& turn) const;
   LinkageMotion solve_and_record(Method method);
-  std::optional<double> estimate(Method method, const std::vector<ElasticState>& states) const;
+  std::optional<double> estimate(Method method, const std::vector<ElasticState>& states);
+  void note_reductions();
+  void note_peaks();
   void warn_of_large_deflections(LinkageMotion& motion) const;
   void compare();
 
@@ -58,6 +62,7 @@ class Linkage {
   const std::function<bool(double)>& keep_going_;
   double speed_;
   LinkageTurn turn_;
+  std::unique_ptr<LinkageTurn> finer_;  // for estimates
   LinkageResult result_;
 };
 
@@ -93,15 +98,46 @@ LinkageSolution Linkage::solve(Method method, LinkageTurn& turn) const {
 }
 
 /// Against a linkage of finer flexures.
-std::optional<double> Linkage::estimate(Method method,
-                                        const std::vector<ElasticState>& states) const {
+std::optional<double> Linkage::estimate(Method method, const std::vector<ElasticState>& states) {
   if (method != Method::quasi_static && method != Method::periodic) return {};
-  LinkageTurn finer(model_, study_, true);
+  if (!finer_) finer_ = std::make_unique<LinkageTurn>(model_, study_, true);
+  LinkageTurn& finer = *finer_;
   if (finer.system().size() > most_estimated || !finer.visit(finer.positions())) return {};
   const LinkageSolution fine = solve(method, finer);
   if (!fine.termination.converged()) return {};
   return strain_distance(middle_strains(study_, turn_, speed_, states),
                          middle_strains(study_, finer, speed_, fine.states));
+}
+
+void Linkage::note_reductions() {
+  for (std::size_t k = 0; k < result_.flexures.size(); ++k) {
+    const ElasticLink& link = turn_.system().layout().members[k].link;
+    if (link.whole_size > link.size())
+      result_.notes.push_back(fmt::format(
+          "'{}' has {} unknowns, of which its ends and its {} lowest vibrations with both ends held "
+          "are kept",
+          result_.flexures[k], link.whole_size, link.size() - 6));
+  }
+}
+
+/// By what factor vibration raises the largest stress of each flexure above the quasi-static one.
+void Linkage::note_peaks() {
+  const auto of = [&](const char* label) -> const LinkageMotion* {
+    for (const LinkageMotion& motion : result_.modelings)
+      if (motion.label == label && !motion.flexures.empty()) return &motion;
+    return nullptr;
+  };
+  const LinkageMotion* still = of("quasi_static");
+  const LinkageMotion* moving = of("periodic");
+  if (!still || !moving) return;
+  std::string words;
+  for (std::size_t k = 0; k < result_.flexures.size(); ++k) {
+    const double rest = find_peak(result_, still->flexures[k].stress).value;
+    if (rest == 0.0) continue;
+    words += fmt::format("{}{} {:.3g}", words.empty() ? "" : ", ", result_.flexures[k],
+                         find_peak(result_, moving->flexures[k].stress).value / rest);
+  }
+  result_.notes.push_back("largest stress with vibration over the quasi-static one: " + words);
 }
 
 void Linkage::warn_of_large_deflections(LinkageMotion& motion) const {
@@ -165,6 +201,7 @@ LinkageResult Linkage::run(Termination& termination) {
   record_rigid_motion(model_, study_, turn_, result_);
   describe_four_bar(turn_, result_);
   find_frequencies(turn_, study_, speed_, result_);
+  note_reductions();
   termination.status = Status::converged;
   double done = 0.0;
   for (const Method method : study_.methods) {
@@ -172,7 +209,7 @@ LinkageResult Linkage::run(Termination& termination) {
       NonlinearComparison comparison =
           compare_with_nonlinear(model_, study_, turn_, result_, keep_going_);
       result_.modelings.push_back(std::move(comparison.motion));
-      result_.notes = std::move(comparison.notes);
+      result_.notes.insert(result_.notes.end(), comparison.notes.begin(), comparison.notes.end());
     } else {
       result_.modelings.push_back(solve_and_record(method));
     }
@@ -183,6 +220,7 @@ LinkageResult Linkage::run(Termination& termination) {
     }
   }
   compare();
+  note_peaks();
   if (study_.speeds)
     result_.speeds = sweep_speeds(model_, study_, [&](double share) {
       return !keep_going_ || keep_going_(0.5 + 0.5 * share);
