@@ -2,12 +2,14 @@
 #include <algorithm>
 
 #include "flexura/assembly/motion_port.hpp"
+#include "flexura/core/symmetric_factor.hpp"
 #include "flexura/modelings/linkage_links.hpp"
 #include "flexura/solvers/vibration.hpp"
 
 namespace flexura {
 namespace {
 
+constexpr Eigen::Index many_unknowns = 200;
 constexpr double small = 1e-5;  // internal unknowns are of order one: results are linear up to that
 
 /// Weights of Simpson's rule for an odd number of even stations.
@@ -51,6 +53,40 @@ Drawn drawn_of(const MotionPort& port) {
     }
   return drawn;
 }
+
+/// Vibrations with the tip held, for flexures of many unknowns.
+class HeldVibrations final : public VibrationOperator {
+ public:
+  HeldVibrations(const Drawn& drawn, const Eigen::MatrixXd& mass) : drawn_(drawn), mass_(mass) {}
+  Eigen::Index size() const override { return mass_.rows(); }
+  Eigen::Index most_rigid() const override { return 0; }
+  bool set_shift(double shift) override { return factor_.factorize(bordered(shift)); }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const override {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(size() + 3);
+    x.head(size()) = b;
+    factor_.solve(x);
+    return x.head(size());
+  }
+  Eigen::VectorXd multiply_mass(const Eigen::VectorXd& x) const override { return mass_ * x; }
+  std::optional<int> count_below(double square) const override {
+    SymmetricFactor factor;
+    if (!factor.factorize(bordered(-square))) return std::nullopt;
+    return factor.negative() - 3;  // one for every constraint
+  }
+
+ private:
+  Eigen::MatrixXd bordered(double shift) const {
+    const Eigen::Index m = size();
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(m + 3, m + 3);
+    matrix.topLeftCorner(m, m) = drawn_.stiffness + shift * mass_;
+    matrix.bottomLeftCorner(3, m) = drawn_.tip;
+    return matrix;
+  }
+
+  const Drawn& drawn_;
+  const Eigen::MatrixXd& mass_;
+  SymmetricFactor factor_;
+};
 
 class PortLink {
  public:
@@ -114,7 +150,10 @@ void PortLink::find_shapes(int most_modes) {
   const int count = std::min(most_modes, static_cast<int>(m) - 3);
   Eigen::MatrixXd modes(m, 0);
   if (count > 0) {
-    const Vibrations held = dense_vibrations(drawn_.stiffness, mass, drawn_.tip, count);
+    HeldVibrations op(drawn_, mass);
+    const Vibrations held =
+        m > many_unknowns ? sparse_vibrations(op, count)
+                          : dense_vibrations(drawn_.stiffness, mass, drawn_.tip, count);
     if (held.found) modes = held.shapes;
   }
   inside_.resize(m, 6 + modes.cols());
