@@ -6,7 +6,7 @@ class Chart {
   // is drawn as zero), xRange, yRange and yTicks (what the scales cover, and where they are named),
   // free (a curve that may turn back: no readout under the pointer; `xNoise` is then noise in x),
   // smooth (a curve through the points instead of straight lines), equal (of a free chart: both
-  // scales alike, so that a circle is one), xTicks, under(group, chart) (draws what lies under the
+  // scales alike where that shows anything), xTicks, under(group, chart) (draws what lies under the
   // lines), format(value) (how the readout writes a value).
   constructor(host, options) {
     this.options = options;
@@ -76,13 +76,16 @@ class Chart {
     this.makeEqual();
   }
 
-  // The finer scale takes the coarser one's step, about its own middle.
+  // The finer scale takes the coarser one's step, about its own middle; what is nearly straight along
+  // an axis would then be a line, and keeps its scales.
   makeEqual() {
     if (!this.options.equal) return;
     const both = [this.x, this.y].map((scale) => {
       const [[a, b], [p, q]] = [scale.domain(), scale.range()];
       return { scale, middle: 0.5 * (a + b), pixels: Math.abs(q - p), span: b - a };
     });
+    const ratio = both[0].span / both[1].span;
+    if (ratio > 12 || ratio < 1 / 12) return;
     const step = d3.max(both, ({ span, pixels }) => span / pixels);
     for (const { scale, middle, pixels } of both) {
       scale.domain([middle - 0.5 * step * pixels, middle + 0.5 * step * pixels]);

@@ -2,7 +2,6 @@
 // The linkage at an angle of its drive: rigid and faint, and elastic by every method shown with its
 // deflections exaggerated; the ways of points and bodies through the turn.
 const LinkageFigure = (() => {
-  const { length } = State.units;
   const line = d3.line();
 
   // Where a body's parts are: ends of its flexures and points where those have gone, pins with the
@@ -56,15 +55,18 @@ const LinkageFigure = (() => {
     view.paths('ghost-flexures', Mechanism.flexureItems(view, rigid.flexures, look));
   }
 
-  // Bodies that turn on the spot have their shaft there.
+  // Bodies that turn on the spot have their shaft there. Pins in the ground are drawn with it.
   function shaftsOf({ bodies, positions }) {
     const near = 1e-6 * Mechanism.extent;
+    const isPin = ([x, y]) => State.data.drawing.joints.some(
+      ({ at, direction }) => !direction && Math.hypot(at[0] - x, at[1] - y) < near);
     const first = positions[0];
     const still = (b) => positions.every(({ bodies: at }) => Math.hypot(
       at[b][0] - first.bodies[b][0], at[b][1] - first.bodies[b][1]) < near);
     const turns = (b) => positions.some(
       ({ rotations }) => Math.abs(rotations[b] - first.rotations[b]) > 1e-3);
-    return d3.range(bodies.length).filter((b) => still(b) && turns(b)).map((b) => first.bodies[b]);
+    return d3.range(bodies.length).filter((b) => still(b) && turns(b))
+      .map((b) => first.bodies[b]).filter((place) => !isPin(place));
   }
 
   function drawShafts(view, shafts) {
@@ -91,7 +93,12 @@ const LinkageFigure = (() => {
     const subjects = traced(turn);
     view.paths('rigid-ways', subjects.map((s) => ({ d: line(wayOf(s)), key: s.name })));
     view.paths('traces', states.flatMap(({ method, state, look }) => subjects.flatMap((s) => [
-      { ...look, d: line(wayOf(s, method)), class: 'trace is-passed', key: `${look.key} ${s.name}` },
+      {
+        ...look,
+        d: line(wayOf(s, method)),
+        class: 'trace is-passed',
+        key: `${look.key} ${s.name}`,
+      },
       {
         ...look,
         d: Shapes.circle(view.project(state[s.kind][s.i]), 3),
@@ -110,7 +117,8 @@ const LinkageFigure = (() => {
     const methods = Turn.shown(turn).filter(Turn.moves);
     methods.sort((a, b) => Turn.isReference(turn, b) - Turn.isReference(turn, a));
     const states = methods.map((method) => {
-      const look = { key: method.label, modeling: method.label, colour: State.colour(method.label) };
+      const { label } = method;
+      const look = { key: label, modeling: label, colour: State.colour(label) };
       return { method, look, state: elasticState(turn, method, rigid, factor) };
     });
     const each = (itemsOf) => states.flatMap(({ state, look }) => itemsOf(state, look));
@@ -142,7 +150,8 @@ const LinkageFigure = (() => {
   function exaggerationSlider(host) {
     const fitting = State.chosen.exaggeration;
     const factors = d3.range(-3, 9).flatMap((e) => [1, 2, 5].map((k) => k * 10 ** e))
-      .filter((f) => f >= Math.min(1, fitting / 10) * 0.999 && f <= Math.max(1, 20 * fitting) * 1.001);
+      .filter((f) => f > 0.999 * Math.min(1, fitting / 10))
+      .filter((f) => f < 1.001 * Math.max(1, 20 * fitting));
     const label = d3.select(host).append('label').attr('class', 'chooser exaggeration');
     label.append('span').text('Deflections');
     const nearest = (value) => d3.scan(factors, (a, b) => (
@@ -185,9 +194,9 @@ const LinkageFigure = (() => {
       (v) => draw(v, turn, shafts));
     Transport.make(host, Turn.timeline(turn));
     d3.select(host).append('p').attr('class', 'hint').text(
-      'Grey: as if the links were rigid. Flexures have their true depth, but are never thinner than '
-      + `a hairline${anyMoves ? '; only their deflections are exaggerated' : ''}. `
-      + `Lengths in ${length}. Drag to pan, Ctrl and wheel to zoom.`);
+      'Grey: as if the links were rigid. Flexures have their true depth, but are never thinner '
+      + `than a hairline${anyMoves ? '; only their deflections are exaggerated' : ''}. `
+      + 'Drag to pan, Ctrl and wheel to zoom.');
     State.follow(['position', 'hidden', 'exaggeration', 'traced'], () => view.redraw());
   }
 

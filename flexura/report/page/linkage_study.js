@@ -10,8 +10,9 @@ const LinkageStudy = (() => {
       ['Kind', turn.grashof],
       ['Modeling', turn.modeling],
       ['Damping', turn.damping],
-      ['Buckling', Numbers.isNumber(buckling) ? `when the axial forces are ${Numbers.short(
-        buckling, 3)} times as large, at ${Turn.inDegrees(Turn.degrees(turn.buckling_angle))}` : ''],
+      ['Buckling', Numbers.isNumber(buckling) ? `when the axial forces are ${
+        Numbers.short(buckling, 3)} times as large, at ${
+        Turn.inDegrees(Turn.degrees(turn.buckling_angle))}` : ''],
     ].filter(([, value]) => value);
   }
 

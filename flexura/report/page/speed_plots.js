@@ -2,14 +2,14 @@
 // Of a linkage: where excitation meets frequencies as the drive speeds up, the multipliers of
 // Floquet that tell whether the motion is stable, and strains over speed.
 const SpeedPlots = (() => {
-  const { time } = State.units;
   const { slotOf } = TurnPlots;
   const size = ([re, im]) => Math.hypot(re, im);
   const largest = ({ multipliers }) => d3.max(multipliers, size);
   const isUnstable = (state) => state.multipliers.length > 0 && largest(state) > 1;
 
   const speedTitle = `mean speed of the drive, ${Turn.speedUnit}`;
-  const speedsOf = (turn) => turn.speeds.map((state) => ({ ...state, x: Turn.inTurns(state.speed) }));
+  const speedsOf = ({ speeds }) => speeds.map(
+    (state) => ({ ...state, x: Turn.inTurns(state.speed) }));
 
   // Least and greatest frequency of every mode over the turn, in the unit chosen.
   function bandsOf(turn) {
@@ -45,7 +45,8 @@ const SpeedPlots = (() => {
       const [x, y] = [chart.x(points[1].x), chart.y(points[1].y)];
       const atTop = y < chart.y.range()[1] + 3;
       if (!atTop || free - x > 22) {
-        group.append('text').attr('class', 'ray-name').attr('text-anchor', atTop ? 'middle' : 'start')
+        group.append('text').attr('class', 'ray-name')
+          .attr('text-anchor', atTop ? 'middle' : 'start')
           .attr('x', atTop ? x : x + 3).attr('y', atTop ? y - 4 : y + 4).text(`${order}×`);
         free = atTop ? x : Infinity;
       }
@@ -55,7 +56,7 @@ const SpeedPlots = (() => {
   function makeCampbell(host, turn) {
     const speeds = speedsOf(turn);
     if (speeds.length < 2 || turn.frequencies.length === 0) return;
-    const { section } = TurnPlots.panel(host, 'campbell', 'Frequencies against the speed of the drive');
+    const { section } = TurnPlots.panel(host, 'campbell', 'Frequencies against speed');
     const end = d3.max(speeds, ({ x }) => x);
     let bands = [];
     let rays = [];
@@ -68,7 +69,9 @@ const SpeedPlots = (() => {
     };
     const chart = new Chart(TurnPlots.grid(section, 'one-chart'), options);
     Object.assign(chart.margin, { right: 30, top: 20 });
+    const showNames = TurnPlots.key(section);
     State.follow(['modeCount', 'angular'], () => {
+      showNames(TurnPlots.modeNames());
       bands = bandsOf(turn);
       const high = 1.08 * d3.max(bands, ([, top]) => top);
       options.yRange = [0, high];
@@ -78,10 +81,10 @@ const SpeedPlots = (() => {
       })), `Frequency, ${TurnPlots.frequencyUnit()}`);
     });
     chart.mark(Turn.inTurns(turn.speed));
-    section.append('p').attr('class', 'hint').text('Bands: every mode from its least to its greatest '
-      + 'frequency over the turn, at the speed of the study. Rays: 1×, 2×, .. the frequency of the '
-      + 'drive; where a ray is inside a band the drive excites that mode somewhere in the turn. The '
-      + 'upright line is the speed of the study.');
+    section.append('p').attr('class', 'hint').text('Bands: every mode from its least to its '
+      + 'greatest frequency over the turn, at the speed of the study. Rays: 1×, 2×, .. the '
+      + 'frequency of the drive; where a ray is inside a band the drive excites that mode '
+      + 'somewhere in the turn. The upright line is the speed of the study.');
   }
 
   function circle() {
@@ -118,9 +121,12 @@ const SpeedPlots = (() => {
       ...groups.map((g) => ({ ...g, points: g.marks.slice(0, 1) }))]);
   }
 
+  // An imaginary part of rounding is none.
+  const isReal = (m) => Math.abs(m[1]) <= 1e-9 * size(m);
+
   function complex([re, im]) {
     const imaginary = `${Numbers.format(Math.abs(im), 4)}i`;
-    return im === 0 ? Numbers.format(re, 4)
+    return isReal([re, im]) ? Numbers.format(re, 4)
       : `${Numbers.format(re, 4)} ${im < 0 ? '−' : '+'} ${imaginary}`;
   }
 
@@ -130,7 +136,7 @@ const SpeedPlots = (() => {
     Tables.make(host, [
       {
         title: 'Multiplier',
-        text: (m) => (m[1] === 0 ? complex(m) : complex(m).replace(' + ', ' ± ')),
+        text: (m) => complex(m).replace(' + ', ' ± '),
       },
       { title: 'Size', text: (m) => Numbers.format(size(m), 4) },
       {
@@ -148,7 +154,8 @@ const SpeedPlots = (() => {
     speeds.forEach((state, i) => {
       if (!is(state)) return;
       const [from, to] = [0.5 * (x(i - 1) + x(i)), 0.5 * (x(i) + x(i + 1))];
-      group.append('rect').attr('class', 'unstable-range').attr('x', from).attr('y', chart.margin.top)
+      group.append('rect').attr('class', 'unstable-range').attr('x', from)
+        .attr('y', chart.margin.top)
         .attr('width', Math.max(1.5, to - from))
         .attr('height', chart.height - chart.margin.top - chart.margin.bottom);
     });
@@ -200,17 +207,19 @@ const SpeedPlots = (() => {
     return [
       bad.length > 0 ? `${bad.length} of ${speeds.length} speeds are unstable, ${list(bad)} ${
         Turn.speedUnit}.` : `All ${speeds.length - buckled.length} speeds solved are stable.`,
-      buckled.length > 0 ? `At ${buckled.length} the linkage buckles in the turn, ${list(buckled)} ${
-        Turn.speedUnit}.` : '',
+      buckled.length > 0 ? `At ${buckled.length} the linkage buckles in the turn, ${
+        list(buckled)} ${Turn.speedUnit}.` : '',
     ].filter((text) => text).join(' ');
   }
 
   function makeSpeedCharts(section, turn, speeds) {
     const of = TurnPlots.grid(section, 'charts-halves tall');
-    const stability = speedChart(of, turn, speeds, 'Largest size of a multiplier', (group, chart) => {
-      group.append('line').attr('class', 'limit').attr('x1', chart.x.range()[0])
-        .attr('x2', chart.x.range()[1]).attr('y1', chart.y(1)).attr('y2', chart.y(1));
-    });
+    const limit = (group, chart) => {
+      const [left, right] = chart.x.range();
+      group.append('line').attr('class', 'limit').attr('x1', left).attr('x2', right)
+        .attr('y1', chart.y(1)).attr('y2', chart.y(1));
+    };
+    const stability = speedChart(of, turn, speeds, 'Largest size of a multiplier', limit);
     const sizes = speeds.filter(({ solved, multipliers }) => solved && multipliers.length > 0);
     stability.options.yRange = [0, 1.08 * Math.max(1, d3.max(sizes, largest) || 1)];
     stability.show([{
@@ -230,17 +239,9 @@ const SpeedPlots = (() => {
       points: speedPoints(speeds, ({ peak_strain: peaks }) => (
         Numbers.isNumber(peaks[f]) ? Math.abs(peaks[f]) : null)),
     })));
-    flexureKey(section, turn);
+    TurnPlots.key(section)(turn.flexures);
     section.append('p').attr('class', 'hint').text(`${sentenceOf(speeds)} Shaded and dashed: `
       + 'unstable, or buckled in the turn. The upright line is the speed of the study.');
-  }
-
-  function flexureKey(section, turn) {
-    const items = section.append('div').attr('class', 'legend').selectAll('span')
-      .data(turn.flexures).enter().append('span').attr('class', 'legend-item')
-      .style('--colour', (_, f) => slotOf(f));
-    items.append('span').attr('class', 'swatch');
-    items.append('span').text((name) => name);
   }
 
   function makeStability(host, turn) {
@@ -255,8 +256,7 @@ const SpeedPlots = (() => {
     }
     if (speeds.length > 1) makeSpeedCharts(section, turn, speeds);
     section.append('p').attr('class', 'hint').text('Multipliers of Floquet: by what a small '
-      + `disturbance grows from one turn to the next (${time === 's' ? '' : `time in ${time}, `}`
-      + 'outside the unit circle it grows).');
+      + 'disturbance is multiplied from one turn to the next. Outside the unit circle it grows.');
   }
 
   return { makeCampbell, makeStability };

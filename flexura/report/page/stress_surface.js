@@ -161,13 +161,13 @@ const StressSurface = (() => {
     const reference = usable.some(([i]) => i === turn.reference) ? turn.reference : usable[0][0];
     State.set({ method: reference, flexure: 0, fibre: 'upper' });
     const { section, header } = TurnPlots.panel(host, 'stress-surface', 'Stress along a flexure');
-    TurnPlots.select(header, 'surface-flexure', 'Flexure', turn.flexures.map((name, f) => [f, name]),
-      (value) => State.set({ flexure: Number(value) }));
+    TurnPlots.select(header, 'surface-flexure', 'Flexure',
+      turn.flexures.map((name, f) => [f, name]), (value) => State.set({ flexure: Number(value) }));
     TurnPlots.select(header, 'surface-method', 'Method', usable.map(([i, m]) => [i, m.label]),
       (value) => State.set({ method: Number(value) })).property('value', reference);
     TurnPlots.radios(header, 'fibre', 'Fibre', [['upper', 'fibre on +n'], ['lower', 'on −n']],
       (fibre) => State.set({ fibre }));
-    const surface = new Surface(section.append('div').attr('class', 'charts one-chart').node(), turn);
+    const surface = new Surface(TurnPlots.grid(section, 'one-chart'), turn);
     const showColours = bar(section);
     State.follow(['method', 'flexure', 'fibre'], () => {
       const title = `Arc length s from the base end of ${turn.flexures[State.chosen.flexure]}, ${

@@ -114,7 +114,7 @@ const Turn = (() => {
       axes, (axis) => d3.max(axis, ([x, y]) => Math.hypot(x, y)))) || 0;
   }
 
-  // 1, 2 or 5 times a power of ten, with which the largest deflection is about 5 % of the mechanism.
+  // 1, 2 or 5 times a power of ten, with which the largest deflection is about 5 % of the whole.
   function fittingExaggeration(turn) {
     const reference = turn.methods[turn.reference];
     const largest = (reference && largestDeflection(reference))

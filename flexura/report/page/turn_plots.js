@@ -24,7 +24,8 @@ const TurnPlots = (() => {
     return { section, header };
   }
 
-  const grid = (section, classes) => section.append('div').attr('class', `charts ${classes}`).node();
+  const grid = (section, classes) => (
+    section.append('div').attr('class', `charts ${classes}`).node());
 
   function select(header, id, name, options, changed) {
     const label = header.append('label').attr('class', 'chooser');
@@ -47,6 +48,21 @@ const TurnPlots = (() => {
     labels.append('span').text(([, text]) => text);
   }
 
+  // What the colours of a chart's lines mean; returns what shows other names.
+  function key(section, title = '') {
+    const host = section.append('div').attr('class', 'legend line-key');
+    return (names) => {
+      host.text('');
+      if (title) host.append('b').text(title);
+      const items = host.selectAll('.legend-item').data(names).enter().append('span')
+        .attr('class', 'legend-item').style('--colour', (_, k) => slotOf(k));
+      items.append('span').attr('class', 'swatch');
+      items.append('span').text((name) => name);
+    };
+  }
+
+  const modeNames = () => d3.range(State.chosen.modeCount).map((mode) => `mode ${mode + 1}`);
+
   function makeFrequencies(host, turn) {
     const rows = turn.followed.length === turn.angles.length ? turn.followed : turn.frequencies;
     if (rows.length === 0 || rows[0].length === 0) return;
@@ -63,20 +79,23 @@ const TurnPlots = (() => {
     const chart = new Chart(grid(section, 'one-chart'), {
       ...Turn.chartOptions(turn), title: 'Frequency', format: writtenFrequency,
     });
+    const showNames = key(section);
     State.follow(['modeCount', 'angular'], () => {
-      chart.show(d3.range(State.chosen.modeCount).map((mode) => ({
-        label: `mode ${mode + 1}`,
+      showNames(modeNames());
+      chart.show(modeNames().map((label, mode) => ({
+        label,
         colour: slotOf(mode),
         points: rows.map((row, i) => ({ x: turn.angles[i], y: row[mode] / perCycle() })),
-      })), `Frequency, ${frequencyUnit()}; modes followed through the turn, linkage held at the angle`);
+      })), `Frequency, ${frequencyUnit()}`);
     });
     Turn.followMarks([chart]);
     speedNote(section, turn);
   }
 
   function speedNote(section, turn) {
-    section.append('p').attr('class', 'hint').text(`The drive turns at ${Numbers.short(
-      Turn.inTurns(turn.speed))} ${Turn.speedUnit}, ${Numbers.short(
+    section.append('p').attr('class', 'hint').text('Of small vibrations about every angle, each '
+      + `mode followed through the turn. The drive turns at ${Numbers.short(
+        Turn.inTurns(turn.speed))} ${Turn.speedUnit}, ${Numbers.short(
       Math.abs(turn.speed) / (2 * Math.PI))} ${cycles}.`);
   }
 
@@ -115,7 +134,8 @@ const TurnPlots = (() => {
       return;
     }
     cell.append('span').text(Numbers.format(peak.value));
-    cell.append('span').attr('class', 'faint').text(`at ${Turn.inDegrees(Turn.degrees(peak.angle))}`);
+    const at = Turn.inDegrees(Turn.degrees(peak.angle));
+    cell.append('span').attr('class', 'faint').text(`at ${at}`);
   }
 
   function makePeaks(host, turn) {
@@ -134,7 +154,9 @@ const TurnPlots = (() => {
         fill: (cell, row) => Tables.modelingColumn.fill(cell, row.method),
       },
       ...curves.map((curve) => ({
-        title: curve.title, unit: curve.unit, fill: (cell, row) => fillPeak(cell, row.peaks[curve.key]),
+        title: curve.title,
+        unit: curve.unit,
+        fill: (cell, row) => fillPeak(cell, row.peaks[curve.key]),
       })),
       ...(turn.strengths.some(Numbers.isNumber) ? [{
         title: 'Safety',
@@ -208,13 +230,14 @@ const TurnPlots = (() => {
     const { section } = panel(host, 'rigid', 'What moves it: rigid links at the mean speed');
     const angled = turn.positions.some((p) => Numbers.isNumber(p.transmission_angle));
     const of = grid(section, angled ? 'charts-wide' : 'charts-thirds');
+    const transmission = ({ transmission_angle: angle }) => (
+      Numbers.isNumber(angle) ? Turn.degrees(angle) : null);
     const figures = [
       [`Driving torque, ${force}·${length}`, [['torque', (p) => p.torque]]],
       [`Shaking force, ${force}`, [['in x', (p) => p.shaking_force[0]],
         ['in y', (p) => p.shaking_force[1]], ['size', (p) => Math.hypot(...p.shaking_force)]]],
       [`Shaking moment, ${force}·${length}`, [['moment', (p) => p.shaking_moment]]],
-      ...(angled ? [['Transmission angle, degrees', [['angle', (p) => (
-        Numbers.isNumber(p.transmission_angle) ? Turn.degrees(p.transmission_angle) : null)]]]] : []),
+      ...(angled ? [['Transmission angle, degrees', [['angle', transmission]]]] : []),
     ];
     const charts = figures.map(([title, lines]) => {
       const chart = new Chart(of, { ...Turn.chartOptions(turn), title });
@@ -222,12 +245,13 @@ const TurnPlots = (() => {
       return chart;
     });
     Turn.followMarks(charts);
+    key(section, 'Shaking force')(['in x', 'in y', 'size']);
     section.append('p').attr('class', 'hint').text('The shaking force is that of the moving masses '
       + 'on the frame, its moment about the centre of the driven body.');
   }
 
   return {
     makeFrequencies, makeCurves, makeOrbits, makeRigid, panel, grid, select, radios, slotOf,
-    perCycle, frequencyUnit, writtenFrequency,
+    key, modeNames, perCycle, frequencyUnit, writtenFrequency,
   };
 })();
