@@ -65,8 +65,8 @@ class TurnTest(PageTest):
         shapes = []
         for share in (0.0, 0.301, 0.303, 0.9):
             self.seek(share)
-            for selector in (".bodies path", ".connections path", ".traces path", ".rigid-ways path",
-                             ".ghost-flexures path", ".ground-line"):
+            for selector in (".bodies path", ".connections path", ".traces path",
+                             ".rigid-ways path", ".ghost-flexures path", ".ground-line"):
                 self.assertGreater(len(self.drawn(selector)), 0, selector)
             shapes.append([path["d"] for path in self.browser.script(FLEXURE_PATHS)])
         for before, after in zip(shapes, shapes[1:]):

@@ -161,6 +161,12 @@ TEST(Report, ShowsTheSampleOfMotion) {
   write_where_told(html, "FLEXURA_SAMPLE_MOTION");
 }
 
+TEST(Report, HasThePageOfLinkagesOnlyForLinkages) {
+  const std::string definition = "const LinkageStudy = ";
+  EXPECT_EQ(make_report(sample::make_sample_motion()).find(definition), std::string::npos);
+  EXPECT_NE(make_report(sample::make_sample_turn()).find(definition), std::string::npos);
+}
+
 TEST(Report, ShowsTheSampleOfTurns) {
   const std::string html = make_report(sample::make_sample_turn());
   EXPECT_LT(html.size(), 2'500'000U);

@@ -83,7 +83,8 @@
     headline(study);
     const page = [[study.path, PathStudy], [study.modes, ModeStudy],
       [study.motion, TransientStudy], [study.response, ResponseStudy],
-      [study.linkage, LinkageStudy], [study.linear, LinearStudy]];
+      // Only a report that has a linkage has its page.
+      [study.linkage, study.linkage && LinkageStudy], [study.linear, LinearStudy]];
     page.find(([content]) => content)[1].make(main, study);
   }
 
