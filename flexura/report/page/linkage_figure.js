@@ -17,8 +17,10 @@ const LinkageFigure = (() => {
     const pins = State.data.drawing.joints
       .filter(({ base, action, direction }) => action === name || (base === name && !direction))
       .map(({ at }) => carried(state, turn)(name).move(at));
-    const all = [...ends, ...points, ...pins];
-    return all.length > 0 ? all : [state.bodies[turn.bodies.indexOf(name)]];
+    const b = turn.bodies.indexOf(name);
+    const shaft = turn.shafts.includes(b) ? [state.bodies[b]] : [];
+    const all = [...ends, ...points, ...pins, ...shaft];
+    return all.length > 0 ? all : [state.bodies[b]];
   }
 
   function carried(state, turn) {
@@ -55,22 +57,23 @@ const LinkageFigure = (() => {
     view.paths('ghost-flexures', Mechanism.flexureItems(view, rigid.flexures, look));
   }
 
-  // Bodies that turn on the spot have their shaft there. Pins in the ground are drawn with it.
+  // Bodies that turn on the spot: their shaft is there.
   function shaftsOf({ bodies, positions }) {
     const near = 1e-6 * Mechanism.extent;
-    const isPin = ([x, y]) => State.data.drawing.joints.some(
-      ({ at, direction }) => !direction && Math.hypot(at[0] - x, at[1] - y) < near);
     const first = positions[0];
     const still = (b) => positions.every(({ bodies: at }) => Math.hypot(
       at[b][0] - first.bodies[b][0], at[b][1] - first.bodies[b][1]) < near);
     const turns = (b) => positions.some(
       ({ rotations }) => Math.abs(rotations[b] - first.rotations[b]) > 1e-3);
-    return d3.range(bodies.length).filter((b) => still(b) && turns(b))
-      .map((b) => first.bodies[b]).filter((place) => !isPin(place));
+    return d3.range(bodies.length).filter((b) => still(b) && turns(b));
   }
 
-  function drawShafts(view, shafts) {
-    view.paths('ground shafts', shafts.flatMap((shaft) => {
+  // Pins in the ground are drawn with it.
+  function drawShafts(view, turn) {
+    const isPin = ([x, y]) => State.data.drawing.joints.some(({ at, direction }) => (
+      !direction && Math.hypot(at[0] - x, at[1] - y) < 1e-6 * Mechanism.extent));
+    const places = turn.shafts.map((b) => turn.positions[0].bodies[b]);
+    view.paths('ground shafts', places.filter((at) => !isPin(at)).flatMap((shaft) => {
       const place = view.project(shaft);
       const { line: edge, hatch } = Shapes.ground(place, -Math.PI / 2);
       return [{ d: edge, class: 'ground-line' }, { d: hatch, class: 'ground-hatch' },
@@ -108,11 +111,11 @@ const LinkageFigure = (() => {
     ])));
   }
 
-  function draw(view, turn, shafts) {
+  function draw(view, turn) {
     const { position, exaggeration: factor } = State.chosen;
     const rigid = Turn.rigidAt(turn, position);
     Mechanism.drawGround(view);
-    drawShafts(view, shafts);
+    drawShafts(view, turn);
     drawRigid(view, turn, rigid);
     const methods = Turn.shown(turn).filter(Turn.moves);
     methods.sort((a, b) => Turn.isReference(turn, b) - Turn.isReference(turn, a));
@@ -183,15 +186,15 @@ const LinkageFigure = (() => {
       .attr('value', ([value]) => value).text(([, text]) => text);
   }
 
-  function make(host, study, turn) {
+  function make(host, study, unpacked) {
+    const turn = { ...unpacked, shafts: shaftsOf(unpacked) };
     Figure.legend(host, turn.methods);
     const bar = d3.select(host).append('div').attr('class', 'diagram-bar').node();
     const anyMoves = turn.methods.some(Turn.moves);
     if (anyMoves) exaggerationSlider(bar);
     traceChooser(bar, turn);
-    const shafts = shaftsOf(turn);
     const view = new View(host, boxOf(turn), `The linkage over its turn, in study ${study.name}`,
-      (v) => draw(v, turn, shafts));
+      (v) => draw(v, turn));
     Transport.make(host, Turn.timeline(turn));
     d3.select(host).append('p').attr('class', 'hint').text(
       'Grey: as if the links were rigid. Flexures have their true depth, but are never thinner '

@@ -31,11 +31,13 @@ const SpeedPlots = (() => {
 
   function drawBands(group, chart, bands, rays) {
     const [left, right] = chart.x.range();
+    const floor = chart.y(0);
     bands.forEach(([low, high], mode) => {
+      if (high <= 0) return; // negative where a link has buckled
       const top = chart.y(high);
       group.append('rect').attr('class', 'band').style('--colour', slotOf(mode))
         .attr('x', left).attr('width', right - left).attr('y', top)
-        .attr('height', Math.max(1.5, chart.y(low) - top))
+        .attr('height', Math.max(1.5, Math.min(floor, chart.y(low)) - top))
         .append('title').text(`mode ${mode + 1}: ${TurnPlots.writtenFrequency(low)} to ${
           TurnPlots.writtenFrequency(high)}`);
     });
@@ -52,6 +54,16 @@ const SpeedPlots = (() => {
       }
     }
   }
+
+  const holdsOwn = ({ xRange: [from, to] }, turn) => {
+    const own = Turn.inTurns(turn.speed);
+    return own >= from && own <= to;
+  };
+  const markOwn = (chart, turn) => {
+    if (holdsOwn(chart.options, turn)) chart.mark(Turn.inTurns(turn.speed));
+  };
+  const ownSentence = (chart, turn) => (
+    holdsOwn(chart.options, turn) ? ' The upright line is the speed of the study.' : '');
 
   function makeCampbell(host, turn) {
     const speeds = speedsOf(turn);
@@ -80,11 +92,11 @@ const SpeedPlots = (() => {
         label: `${order}× the drive`, colour: 'var(--faint)', points,
       })), `Frequency, ${TurnPlots.frequencyUnit()}`);
     });
-    chart.mark(Turn.inTurns(turn.speed));
+    markOwn(chart, turn);
     section.append('p').attr('class', 'hint').text('Bands: every mode from its least to its '
       + 'greatest frequency over the turn, at the speed of the study. Rays: 1×, 2×, .. the '
       + 'frequency of the drive; where a ray is inside a band the drive excites that mode '
-      + 'somewhere in the turn. The upright line is the speed of the study.');
+      + `somewhere in the turn.${ownSentence(chart, turn)}`);
   }
 
   function circle() {
@@ -182,9 +194,7 @@ const SpeedPlots = (() => {
         if (more) more(group, c);
       },
     });
-    const own = Turn.inTurns(turn.speed);
-    const [from, to] = chart.options.xRange;
-    if (own >= from && own <= to) chart.mark(own);
+    markOwn(chart, turn);
     return chart;
   }
 
@@ -241,7 +251,7 @@ const SpeedPlots = (() => {
     })));
     TurnPlots.key(section)(turn.flexures);
     section.append('p').attr('class', 'hint').text(`${sentenceOf(speeds)} Shaded and dashed: `
-      + 'unstable, or buckled in the turn. The upright line is the speed of the study.');
+      + `unstable, or buckled in the turn.${ownSentence(strain, turn)}`);
   }
 
   function makeStability(host, turn) {

@@ -89,14 +89,15 @@ const TurnPlots = (() => {
       })), `Frequency, ${frequencyUnit()}`);
     });
     Turn.followMarks([chart]);
-    speedNote(section, turn);
+    speedNote(section, turn, rows.some((row) => row[0] < 0));
   }
 
-  function speedNote(section, turn) {
+  function speedNote(section, turn, buckles) {
     section.append('p').attr('class', 'hint').text('Of small vibrations about every angle, each '
       + `mode followed through the turn. The drive turns at ${Numbers.short(
         Turn.inTurns(turn.speed))} ${Turn.speedUnit}, ${Numbers.short(
-      Math.abs(turn.speed) / (2 * Math.PI))} ${cycles}.`);
+      Math.abs(turn.speed) / (2 * Math.PI))} ${cycles}.${
+      buckles ? ' Negative where a link buckles.' : ''}`);
   }
 
   const curves = [
