@@ -39,10 +39,15 @@ Json position_json(const RigidPosition& position, const DrawnCoordinates& coordi
   Json axes = Json::array();
   for (const std::vector<Vec2>& axis : position.flexures) axes.push_back(coordinates(axis));
   std::vector<Vec2> bodies;
-  for (const Pose& body : position.bodies) bodies.push_back(body.position);
+  Json rotations = Json::array();
+  for (const Pose& body : position.bodies) {
+    bodies.push_back(body.position);
+    rotations.push_back(rounded(body.rotation));
+  }
   return {{"angle", rounded(position.angle)},
           {"flexures", std::move(axes)},
           {"bodies", coordinates(bodies)},
+          {"rotations", std::move(rotations)},
           {"points", coordinates(position.points)},
           {"torque", rounded(position.torque)},
           {"shaking_force", pair(position.shaking_force)},

@@ -1,8 +1,10 @@
 #include "flexura/report/report.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "flexura/report/assets.hpp"
 #include "flexura/report/report_data.hpp"
@@ -37,6 +39,18 @@ std::string escape_html(std::string_view text) {
 }
 
 constexpr std::string_view asset_prefix = "asset ";
+/// Of what only linkages need: other reports are not to grow by it.
+constexpr std::string_view linkage_prefix = "linkage ";
+
+bool starts_with(std::string_view text, std::string_view prefix) {
+  return text.substr(0, prefix.size()) == prefix;
+}
+
+bool has_linkage(const Result& result) {
+  return std::any_of(result.studies.begin(), result.studies.end(), [](const StudyResult& study) {
+    return std::holds_alternative<LinkageResult>(study.content);
+  });
+}
 
 /// What stands for one {{placeholder}} of page.html.
 std::string fill(std::string_view placeholder, const Result& result) {
@@ -44,9 +58,11 @@ std::string fill(std::string_view placeholder, const Result& result) {
     return escape_html(result.title.empty() ? result.model_file : result.title);
   }
   if (placeholder == "data") return make_report_data(result);
-  if (placeholder.substr(0, asset_prefix.size()) == asset_prefix) {
-    const std::string_view asset = report_asset(placeholder.substr(asset_prefix.size()));
-    if (!asset.empty()) return std::string(asset);
+  for (const std::string_view prefix : {asset_prefix, linkage_prefix}) {
+    if (!starts_with(placeholder, prefix)) continue;
+    const std::string_view asset = report_asset(placeholder.substr(prefix.size()));
+    if (asset.empty()) continue;
+    return prefix == linkage_prefix && !has_linkage(result) ? std::string() : std::string(asset);
   }
   throw std::logic_error("page.html asks for an unknown '" + std::string(placeholder) + "'");
 }

@@ -12,6 +12,7 @@
 #include "flexura/report/assets.hpp"
 #include "tests/report/sample_motion.hpp"
 #include "tests/report/sample_result.hpp"
+#include "tests/report/sample_turn.hpp"
 
 namespace flexura {
 namespace {
@@ -158,6 +159,18 @@ TEST(Report, ShowsTheSampleOfMotion) {
   const std::string html = make_report(sample::make_sample_motion());
   EXPECT_LT(html.size(), 1'500'000U);
   write_where_told(html, "FLEXURA_SAMPLE_MOTION");
+}
+
+TEST(Report, HasThePageOfLinkagesOnlyForLinkages) {
+  const std::string definition = "const LinkageStudy = ";
+  EXPECT_EQ(make_report(sample::make_sample_motion()).find(definition), std::string::npos);
+  EXPECT_NE(make_report(sample::make_sample_turn()).find(definition), std::string::npos);
+}
+
+TEST(Report, ShowsTheSampleOfTurns) {
+  const std::string html = make_report(sample::make_sample_turn());
+  EXPECT_LT(html.size(), 2'500'000U);
+  write_where_told(html, "FLEXURA_SAMPLE_TURN");
 }
 
 }  // namespace

@@ -5,7 +5,9 @@ class Chart {
   // there is nothing to draw), noise (a number or a function: a chart whose values are all smaller
   // is drawn as zero), xRange, yRange and yTicks (what the scales cover, and where they are named),
   // free (a curve that may turn back: no readout under the pointer; `xNoise` is then noise in x),
-  // smooth (a curve through the points instead of straight lines).
+  // smooth (a curve through the points instead of straight lines), equal (of a free chart: both
+  // scales alike where that shows anything), xTicks, under(group, chart) (draws what lies under the
+  // lines), format(value) (how the readout writes a value).
   constructor(host, options) {
     this.options = options;
     this.lines = [];
@@ -62,6 +64,7 @@ class Chart {
     }
     if (this.options.yRange) {
       this.y = d3.scaleLinear().domain(this.options.yRange).range(range);
+      this.makeEqual();
       return;
     }
     low = Math.min(low, 0);
@@ -70,6 +73,23 @@ class Chart {
     const least = (typeof noise === 'function' ? noise() : noise) || 0;
     if (high - low <= least) [low, high] = [-Math.max(1, least), Math.max(1, least)];
     this.y = d3.scaleLinear().domain([low, high]).nice(4).range(range);
+    this.makeEqual();
+  }
+
+  // The finer scale takes the coarser one's step, about its own middle; what is nearly straight along
+  // an axis would then be a line, and keeps its scales.
+  makeEqual() {
+    if (!this.options.equal) return;
+    const both = [this.x, this.y].map((scale) => {
+      const [[a, b], [p, q]] = [scale.domain(), scale.range()];
+      return { scale, middle: 0.5 * (a + b), pixels: Math.abs(q - p), span: b - a };
+    });
+    const ratio = both[0].span / both[1].span;
+    if (ratio > 12 || ratio < 1 / 12) return;
+    const step = d3.max(both, ({ span, pixels }) => span / pixels);
+    for (const { scale, middle, pixels } of both) {
+      scale.domain([middle - 0.5 * step * pixels, middle + 0.5 * step * pixels]);
+    }
   }
 
   draw() {
@@ -86,6 +106,7 @@ class Chart {
     this.fitMargin();
     this.scales();
     this.drawAxes();
+    if (this.options.under) this.options.under(this.svg.append('g'), this);
     const area = this.svg.append('g').attr('class', 'chart-lines');
     // The reference lies broad under what is compared with it, so that neither hides the other.
     const under = this.lines.filter((line) => line.isReference);
@@ -112,6 +133,7 @@ class Chart {
 
   // Of a logarithmic scale decades or, where there is room, 1, 2 and 5 of each.
   xTicks() {
+    if (this.options.xTicks) return this.options.xTicks;
     if (!this.options.xLog) {
       // One in the very corner would lie on that of the other axis.
       const inCorner = (t) => this.options.free && this.x(t) < this.margin.left + 16;
@@ -264,6 +286,10 @@ class Chart {
     return all.filter((reading) => nearest.has(reading));
   }
 
+  format(value) {
+    return this.options.format ? this.options.format(value) : Numbers.format(value, 5);
+  }
+
   showTip(x, y) {
     const at = this.x(x);
     this.hover.classed('is-on', true).attr('x1', at).attr('x2', at)
@@ -275,7 +301,7 @@ class Chart {
       const row = this.tip.append('div').style('--colour', line.colour);
       row.append('span').attr('class', 'swatch');
       row.append('span').attr('class', 'chart-tip-label').text(line.label);
-      row.append('span').attr('class', 'chart-tip-value').text(Numbers.format(value, 5));
+      row.append('span').attr('class', 'chart-tip-value').text(this.format(value));
     }
     const width = this.tip.node().offsetWidth;
     const left = at + 12 + width > this.width ? at - 12 - width : at + 12;

@@ -58,6 +58,7 @@
       modes: 'Natural frequencies and the shapes of their modes',
       transient: 'Motion in time',
       response: 'Steady motion under loads that go as a cosine',
+      linkage: 'Elastic motion of a driven linkage over a turn',
     };
     header.append('p').attr('class', 'study-kind').text(kinds[study.kind] || study.kind);
     for (const load of study.loads) {
@@ -82,7 +83,8 @@
     headline(study);
     const page = [[study.path, PathStudy], [study.modes, ModeStudy],
       [study.motion, TransientStudy], [study.response, ResponseStudy],
-      [study.linear, LinearStudy]];
+      // Only a report that has a linkage has its page.
+      [study.linkage, study.linkage && LinkageStudy], [study.linear, LinearStudy]];
     page.find(([content]) => content)[1].make(main, study);
   }
 

@@ -7,12 +7,16 @@ const State = (() => {
 
   // Colours are slots of the style sheet, one per label and the same in every study. The
   // modelings that every reader meets keep their own.
-  const ownSlots = { continuum: 0, exact: 1, scmbm: 2, prbm: 3, linear: 4, beam: 5 };
+  const ownSlots = {
+    continuum: 0, exact: 1, scmbm: 2, prbm: 3, linear: 4, beam: 5,
+    nonlinear: 0, periodic: 1, quasi_static: 2, midha: 3, transient: 4, // methods of a linkage
+  };
   const slotCount = 9;
   const slots = new Map();
   const modelings = data.studies.flatMap((study) => (
-    study.path || study.modes || study.motion || study.response || { modelings: [] }).modelings);
-  for (const { label, modeling } of modelings) {
+    study.path || study.modes || study.motion || study.response
+      || { modelings: study.linkage ? study.linkage.methods : [] }).modelings);
+  for (const { label, modeling = label } of modelings) {
     if (slots.has(label)) continue;
     const taken = new Set(slots.values());
     let slot = modeling in ownSlots ? ownSlots[modeling] : 6;
@@ -25,7 +29,7 @@ const State = (() => {
 
   const chosen = {
     study: null,
-    position: 0, // along the path, or the time: see Motion.timeline and Course.timeline
+    position: 0, // along the path, the time or the angle: see the timelines
     hidden: new Set(), // labels
     subject: 0, // index into Motion.subjects of the study
     held: 0, // whose reactions are shown
@@ -34,6 +38,12 @@ const State = (() => {
     field: '', // key of the stress that colours the flexures: see StressFields
     record: 0, // of a linear study
     place: 0, // of a response
+    exaggeration: 1, // of the deflections of a linkage
+    traced: 'all', // whose ways through the turn are drawn: 'all', 'none' or an index
+    angular: false, // frequencies of a linkage as rad per time
+    modeCount: 3, // how many of its frequencies are shown
+    fibre: 'upper', // whose stress a surface shows
+    method: 0, // by which it is found
     groups: new Set(['flexure', 'point']), // of ellipses drawn
   };
   let listeners = [];

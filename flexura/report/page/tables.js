@@ -37,12 +37,13 @@ const Tables = (() => {
 
   // A stop's reason and the events on the way, in words under the row they belong to.
   function addNotes(row, modeling, columnCount) {
-    const notes = modeling.events.map((event) => ({
+    const notes = (modeling.events || []).map((event) => ({
       kind: 'event', text: `${event.kind} at load factor ${Numbers.short(event.load_factor)}`,
     }));
     if (!modeling.converged) {
       notes.push({ kind: 'stop', text: modeling.reason || 'It stopped and gave no reason.' });
     }
+    if (modeling.remark) notes.push({ kind: 'remark', text: modeling.remark });
     if (notes.length === 0) return;
     const cell = d3.create('tr').attr('class', 'notes')
       .style('--colour', State.colour(modeling.label));

@@ -18,12 +18,14 @@ const Transport = (() => {
   }
 
   // timeline: name, end, byLoad; of a motion also unit and speeds: [{label, rate}], the first one
-  // to begin with, rates in time units a second.
+  // to begin with, rates in time units a second. A `cyclic` one begins again at its end.
   function make(host, timeline) {
     const bar = d3.select(host).append('div').attr('class', 'transport');
     const button = bar.append('button').attr('type', 'button').attr('id', 'play')
       .attr('class', 'play');
-    const { name, end, unit } = timeline;
+    const {
+      name, end, unit, cyclic,
+    } = timeline;
     const slider = bar.append('input').attr('type', 'range').attr('id', 'load-slider')
       .attr('min', 0).attr('max', end).attr('step', end / 1000).attr('aria-label', name);
     const readout = bar.append('output').attr('for', 'load-slider').attr('class', 'readout');
@@ -52,8 +54,8 @@ const Transport = (() => {
         }
         const position = State.chosen.position + rate() * (elapsed - before) / 1000;
         before = elapsed;
-        if (position >= end) pause();
-        State.set({ position: Math.min(position, end) });
+        if (position >= end && !cyclic) pause();
+        State.set({ position: cyclic ? position % end : Math.min(position, end) });
       });
       show();
     }
