@@ -15,8 +15,8 @@ std::optional<TimeHistory> read_history_in(Reading& reading, const TableReader& 
   if (angle && where.over_angle) return read_history(reading, *angle, HistoryVariable::angle);
   if (angle)
     reading.report_key(table.path(), "angle", table.position("angle"),
-                       fmt::format("a study of kind {} has no drive whose angle loads could follow; "
-                                   "this is for linkages",
+                       fmt::format("a study of kind {} has no drive whose angle loads could "
+                                   "follow; this is for linkages",
                                    where.kind));
   const auto place = table.find("history");
   if (!place) return {};

@@ -173,18 +173,16 @@ const SpeedPlots = (() => {
     });
   }
 
-  // Speeds that were not solved leave a gap.
   function speedPoints(speeds, valueOf) {
-    return speeds.map((state, i) => ({
+    return speeds.map((state) => ({
       x: state.x,
-      y: state.solved ? valueOf(state) : null,
+      y: valueOf(state),
       unstable: isUnstable(state),
-      apart: i > 0 && !speeds[i - 1].solved,
     }));
   }
 
   function speedChart(of, turn, speeds, title, more) {
-    const bad = (state) => !state.solved || isUnstable(state);
+    const bad = (state) => state.buckles || isUnstable(state);
     const chart = new Chart(of, {
       title,
       xTitle: speedTitle,
@@ -208,7 +206,7 @@ const SpeedPlots = (() => {
 
   function sentenceOf(speeds) {
     const bad = speeds.filter(isUnstable);
-    const buckled = speeds.filter((state) => !state.solved);
+    const buckled = speeds.filter((state) => state.buckles);
     const list = (states) => {
       const [from, to] = d3.extent(states, ({ x }) => Numbers.isNumber(x) && x);
       return from === to ? `at ${Numbers.short(from)}`
@@ -216,8 +214,8 @@ const SpeedPlots = (() => {
     };
     return [
       bad.length > 0 ? `${bad.length} of ${speeds.length} speeds are unstable, ${list(bad)} ${
-        Turn.speedUnit}.` : `All ${speeds.length - buckled.length} speeds solved are stable.`,
-      buckled.length > 0 ? `At ${buckled.length} the linkage buckles in the turn, ${
+        Turn.speedUnit}.` : `All ${speeds.length} speeds are stable.`,
+      buckled.length > 0 ? `At ${buckled.length} a link would buckle at rest somewhere in the turn, ${
         list(buckled)} ${Turn.speedUnit}.` : '',
     ].filter((text) => text).join(' ');
   }
@@ -230,7 +228,7 @@ const SpeedPlots = (() => {
         .attr('y1', chart.y(1)).attr('y2', chart.y(1));
     };
     const stability = speedChart(of, turn, speeds, 'Largest size of a multiplier', limit);
-    const sizes = speeds.filter(({ solved, multipliers }) => solved && multipliers.length > 0);
+    const sizes = speeds.filter(({ multipliers }) => multipliers.length > 0);
     stability.options.yRange = [0, 1.08 * Math.max(1, d3.max(sizes, largest) || 1)];
     stability.show([{
       label: 'largest size',
