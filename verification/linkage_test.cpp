@@ -13,7 +13,6 @@
 namespace flexura::testing {
 namespace {
 
-
 Model example(const std::string& name) {
   ModelReading reading = read_model(std::string(FLEXURA_SOURCE_DIR) + "/examples/" + name);
   EXPECT_TRUE(reading.model.has_value()) << name;
@@ -80,7 +79,8 @@ TEST_P(FourBarFrequencies, AreThoseOfTheReference) {
   for (int mode = 1; mode <= 4; ++mode) {
     const auto expected = column(table, "w" + std::to_string(mode) + "_rad_s");
     for (std::size_t i = 0; i < expected.size(); ++i)
-      EXPECT_NEAR(result.frequencies[i][static_cast<std::size_t>(mode - 1)] / expected[i], 1.0, 2e-9)
+      EXPECT_NEAR(result.frequencies[i][static_cast<std::size_t>(mode - 1)] / expected[i], 1.0,
+                  2e-9)
           << "mode " << mode << " at " << table.number(i, "crank_deg");
   }
 }
@@ -103,12 +103,12 @@ TEST_P(FourBarSteadyState, IsThatOfTheReference) {
     bar.study.coupling = coupling;
     const LinkageResult result = bar.run();
     const std::string equation = coupling ? "_eq1" : "_eq2";
-    EXPECT_LT(distance(result.modelings[0].flexures[1].strain,
-                       column(table, "eps_coupler" + equation)),
-              3e-8);
-    EXPECT_LT(distance(result.modelings[0].flexures[2].strain,
-                       column(table, "eps_follower" + equation)),
-              3e-8);
+    EXPECT_LT(
+        distance(result.modelings[0].flexures[1].strain, column(table, "eps_coupler" + equation)),
+        3e-8);
+    EXPECT_LT(
+        distance(result.modelings[0].flexures[2].strain, column(table, "eps_follower" + equation)),
+        3e-8);
     ASSERT_FALSE(result.multipliers.empty());
     EXPECT_NEAR(std::abs(result.multipliers.front()),
                 coupling ? c.multiplier : c.uncoupled_multiplier, 1e-6);
@@ -158,12 +158,13 @@ TEST(FourBarMethods, MidhaConverges) {
   EXPECT_LT(errors[2], 0.01);
   bar.study.positions = 180;
   bar.study.continuity = LinkageStudy::Continuity::modal;
-  EXPECT_GT(distance(bar.by(LinkageStudy::Method::midha).flexures[1].strain,
-                     periodic.flexures[1].strain),
-            10.0 * errors[0]);
+  EXPECT_GT(
+      distance(bar.by(LinkageStudy::Method::midha).flexures[1].strain, periodic.flexures[1].strain),
+      10.0 * errors[0]);
 }
 
-/// Finer meshes tend to a limit at which the strains corrected for inertia have arrived long before.
+/// Finer meshes tend to a limit at which the strains corrected for inertia have arrived long
+/// before.
 TEST(FourBarMethods, InertiaCorrectionSparesElements) {
   const auto strain = [](int elements, bool corrected) {
     FourBar bar(elements);

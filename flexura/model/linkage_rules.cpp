@@ -97,9 +97,10 @@ struct LinkageRules {
                    "method nonlinear turns at a constant speed: the other methods let it vary");
     for (const Flexure& flexure : model.flexures)
       if (flexure.link)
-        mistakes.add(path / "methods",
-                     fmt::format("method nonlinear takes strips, and flexure '{}' has another shape",
-                                 flexure.name));
+        mistakes.add(
+            path / "methods",
+            fmt::format("method nonlinear takes strips, and flexure '{}' has another shape",
+                        flexure.name));
     if (study.damping.modal == 0.0 && study.damping.stiffness == 0.0)
       mistakes.add(path / "damping",
                    "method nonlinear needs damping (modal, or stiffness): without it no motion "

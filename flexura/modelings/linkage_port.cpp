@@ -151,9 +151,9 @@ void PortLink::find_shapes(int most_modes) {
   Eigen::MatrixXd modes(m, 0);
   if (count > 0) {
     HeldVibrations op(drawn_, mass);
-    const Vibrations held =
-        m > many_unknowns ? sparse_vibrations(op, count)
-                          : dense_vibrations(drawn_.stiffness, mass, drawn_.tip, count);
+    const Vibrations held = m > many_unknowns
+                                ? sparse_vibrations(op, count)
+                                : dense_vibrations(drawn_.stiffness, mass, drawn_.tip, count);
     if (held.found) modes = held.shapes;
   }
   inside_.resize(m, 6 + modes.cols());

@@ -52,15 +52,14 @@ std::shared_ptr<const MotionPort> make_motion_port(const Model& model, std::size
                                                    const ModelingSettings& settings,
                                                    const InertiaSettings& inertia) {
   const Flexure& flexure = model.flexures[k];
-  FlexureProperties properties =
-      flexure_properties(model, flexure, settings.axial, settings.shear);
+  FlexureProperties properties = flexure_properties(model, flexure, settings.axial, settings.shear);
   properties.field = field_on(model, k, fields);
   properties.field.per_volume = {};  // gravity acts on all mass alike
   const FlexureInertia own = flexure_inertia(model, flexure, inertia, settings.shear);
   const StripShape shape(properties.axis, own.shape);
-  const MotionPortMaker maker{properties,         own,
-                              model.materials[flexure.material], shape,
-                              flexure.link.get(), settings.tolerance};
+  const MotionPortMaker maker{
+      properties,        own, model.materials[flexure.material], shape, flexure.link.get(),
+      settings.tolerance};
   return std::visit(maker, settings.kind);
 }
 

@@ -93,8 +93,7 @@ struct StudyResult {
   Termination termination;
   std::vector<DrawnLoad> loads;
   DrawnFields fields = {};
-  std::variant<LinearResult, PathResult, ModeResult, MotionResult, ResponseResult,
-               LinkageResult>
+  std::variant<LinearResult, PathResult, ModeResult, MotionResult, ResponseResult, LinkageResult>
       content;
 };
 

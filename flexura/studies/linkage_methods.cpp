@@ -16,7 +16,8 @@ constexpr double same_motion = 1e-9;
 constexpr int transient_stages = 3;
 
 const char* const buckling_remark =
-    "axial forces at some angle are beyond what a link bears at rest: it does not buckle in passing, "
+    "axial forces at some angle are beyond what a link bears at rest: it does not buckle in "
+    "passing, "
     "but linear theory is at its end; modes that damp are those without axial forces";
 
 std::string buckles(double angle) {

@@ -73,7 +73,8 @@ void Nonlinear::settle_damping() {
   linear_.damping = {};
   linear_.damping.stiffness = 2.0 * study_.damping.modal / mean;
   damping_ = fmt::format(
-      "damped in proportion to the elastic forces ({:.3g} {}), which gives the first mode {:g} % of "
+      "damped in proportion to the elastic forces ({:.3g} {}), which gives the first mode {:g} % "
+      "of "
       "critical damping as the study asks for, and higher modes more",
       linear_.damping.stiffness, model_.units.time, 100.0 * study_.damping.modal);
 }
@@ -117,8 +118,8 @@ FlexureCurves Nonlinear::curves_of(std::size_t k, const PeriodicMotion& found) c
     curves.strain.push_back(fibre_stress(middle).first / modulus);
     curves.axial_strain.push_back(fibre_stress(middle).second / modulus);
     const Vec2 chord = last.pose.position - first.pose.position;
-    curves.deflection.push_back(
-        cross(chord, sections[middle].pose.position - first.pose.position) / norm(chord));
+    curves.deflection.push_back(cross(chord, sections[middle].pose.position - first.pose.position) /
+                                norm(chord));
     std::vector<double> upper, lower;
     double largest = 0.0;
     for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -215,11 +216,12 @@ NonlinearComparison Nonlinear::run() {
         "kineto-elastodynamics with the damping of the nonlinear motion is off by (strains): " +
         differences);
   if (limit > 0.0)
-    comparison.notes.push_back(fmt::format(
-        "from {:.4g} {} on, or below, linear strains are off by more than {:g} %: trust `nonlinear` "
-        "there",
-        model_.units.time == "s" ? limit * rpm : limit,
-        model_.units.time == "s" ? "rpm" : "rad per time unit", 100.0 * trusted));
+    comparison.notes.push_back(
+        fmt::format("from {:.4g} {} on, or below, linear strains are off by more than {:g} %: "
+                    "trust `nonlinear` "
+                    "there",
+                    model_.units.time == "s" ? limit * rpm : limit,
+                    model_.units.time == "s" ? "rpm" : "rad per time unit", 100.0 * trusted));
   return comparison;
 }
 

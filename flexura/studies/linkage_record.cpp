@@ -48,8 +48,7 @@ Eigen::VectorXd by_columns(const RigidLinkage& rigid,
 }
 
 /// Inverse dynamics: what the joints carry and the drive turns with, for rigid links.
-void record_forces(const LinkageTurn& turn, double angle, double speed,
-                   RigidPosition& position) {
+void record_forces(const LinkageTurn& turn, double angle, double speed, RigidPosition& position) {
   const LinkageSystem& system = turn.system();
   const RigidLinkage& rigid = system.rigid();
   const RigidState& state = turn.state(angle);

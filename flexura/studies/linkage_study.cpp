@@ -113,10 +113,11 @@ void Linkage::note_reductions() {
   for (std::size_t k = 0; k < result_.flexures.size(); ++k) {
     const ElasticLink& link = turn_.system().layout().members[k].link;
     if (link.whole_size > link.size())
-      result_.notes.push_back(fmt::format(
-          "'{}' has {} unknowns, of which its ends and its {} lowest vibrations with both ends held "
-          "are kept",
-          result_.flexures[k], link.whole_size, link.size() - 6));
+      result_.notes.push_back(
+          fmt::format("'{}' has {} unknowns, of which its ends and its {} lowest vibrations with "
+                      "both ends held "
+                      "are kept",
+                      result_.flexures[k], link.whole_size, link.size() - 6));
   }
 }
 

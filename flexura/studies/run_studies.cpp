@@ -168,10 +168,9 @@ class Run {
   }
   void add_tasks(const LinkageStudy& study, StudyResult& result) {
     tasks_.push_back([this, &study, &result] {
-      LinkageResult linkage =
-          run_linkage(model_, study, result.termination, [&](double fraction) {
-            return progress_.report(result.name, study.modeling.label, fraction);
-          });
+      LinkageResult linkage = run_linkage(model_, study, result.termination, [&](double fraction) {
+        return progress_.report(result.name, study.modeling.label, fraction);
+      });
       linkage.damping = damping_sentence(study.damping);
       result.content = std::move(linkage);
       progress_.report(result.name, study.modeling.label, 1.0);
