@@ -56,7 +56,7 @@ void attach_with_arms(ElasticLink& link, Vec2 base_arm, Vec2 action_arm) {
     apply(slice.normal_force);
   }
   for (ElasticLink::Element& element : link.elements)
-    for (Eigen::RowVectorXd& row : element.deflection) apply(row);
+    for (auto& rows : element.displacement) apply(rows);
   for (auto* reading : {&link.strain, &link.axial_strain, &link.deflection}) apply_to(*reading);
   if (link.field.stress.size() > 0) apply(link.field.stress);
   for (ElasticLink::Station& station : link.stations) {

@@ -26,7 +26,7 @@ struct ElasticLink {
   struct Element {
     Vec2 ends[2];  ///< as drawn
     Vec2 normal;
-    Eigen::RowVectorXd deflection[2];  ///< of the ends along the normal, by u
+    Eigen::Matrix<double, 2, Eigen::Dynamic> displacement[2];  ///< of the ends by u
     double mass_per_length = 0.0;
   };
   /// A piece of the axis as it takes part in stress stiffening and rotary inertia: the rotation of

@@ -91,7 +91,16 @@ LinkageSystem::LinkageSystem(LinkageLayout layout)
   if (layout_.pins.empty() && layout_.slides.empty()) return;
   RigidState drawn;
   drawn.parts.resize(layout_.rigid.parts.size());
-  const Eigen::MatrixXd rows = constraints(drawn).value;
+  Eigen::MatrixXd rows = constraints(drawn).value;
+  // Displacements follow rotations where they can: damping is by the rates of what remains, and
+  // rotations are what elastic links have in common with their axes.
+  const auto make_light = [&](const LinkageLayout::Place& place) {
+    if (place.unknowns[2] >= 0) rows.col(place.unknowns[2]) *= 1e-6 / layout_.rigid.size;
+  };
+  for (const LinkageLayout::Pin& pin : layout_.pins)
+    for (const auto* place : {&pin.first, &pin.second}) make_light(*place);
+  for (const LinkageLayout::Slide& slide : layout_.slides)
+    for (const auto* place : {&slide.base, &slide.action}) make_light(*place);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows);
   const auto& order = qr.colsPermutation().indices();
   std::vector<bool> depends(independent_.size());
@@ -310,32 +319,72 @@ Eigen::VectorXd LinkageSystem::all_unknowns(const RigidState& state,
   return eliminate(state).b * q;
 }
 
+Eigen::VectorXd LinkageSystem::gather(std::size_t m, const Eigen::VectorXd& all) const {
+  const LinkageLayout::Member& member = layout_.members[m];
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(member.link.size());
+  for (std::size_t i = 0; i < member.unknowns.size(); ++i)
+    if (member.unknowns[i] >= 0) own[static_cast<Eigen::Index>(i)] = all[member.unknowns[i]];
+  return own;
+}
+
 Eigen::VectorXd LinkageSystem::member_unknowns(std::size_t m, const RigidState& state,
                                                const Eigen::VectorXd& q) const {
   const LinkageLayout::Member& member = layout_.members[m];
-  const Eigen::VectorXd all = all_unknowns(state, q);
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(member.link.size());
-  for (std::size_t i = 0; i < member.unknowns.size(); ++i)
-    if (member.unknowns[i] >= 0) u[static_cast<Eigen::Index>(i)] = all[member.unknowns[i]];
-  // into the link's axes: the turn back
-  const Vec2 e = unit(-state.parts[member.part].turn);
-  turn_rows(u, member.link.pairs, e);
+  Eigen::VectorXd u = gather(m, all_unknowns(state, q));
+  turn_rows(u, member.link.pairs, unit(-state.parts[member.part].turn));
   return u;
+}
+
+/// With u = T U: T U'' + 2 T' U' + T'' U, and what axes that turn at w add to the displacements of
+/// places, 2 w G u' + (w' G + w^2 G^2) u: of pairs the whole comes to T U''.
+Eigen::VectorXd LinkageSystem::link_acceleration(std::size_t m, const RigidState& state,
+                                                 const DriveRate& drive, double speed,
+                                                 const ElasticState& elastic) const {
+  const LinkageLayout::Member& member = layout_.members[m];
+  Eigen::VectorXd second = elastic.second;
+  if (!dependent_.empty()) {
+    const Elimination e = eliminate(state);
+    const double w = speed * drive.rate;
+    second = e.b * elastic.second + 2.0 * w * e.first * elastic.first +
+             (w * w * e.second + speed * speed * drive.rate * drive.slope * e.first) * elastic.q;
+  }
+  Eigen::VectorXd own = gather(m, second);
+  turn_rows(own, member.link.pairs, unit(-state.parts[member.part].turn));
+  return own;
 }
 
 std::vector<Eigen::Vector2d> LinkageSystem::element_loads(std::size_t m, const RigidState& state,
                                                           const DriveRate& drive, double speed,
-                                                          const Eigen::VectorXd& q_second) const {
+                                                          const ElasticState& elastic) const {
   const LinkageLayout::Member& member = layout_.members[m];
-  const Eigen::VectorXd second = member_unknowns(m, state, q_second);
+  if (member.link.elements.empty()) return {};
+  const PartMotion& part = state.parts[member.part];
+  const PartRates rates = rates_of(part, drive);
+  const Eigen::VectorXd second = link_acceleration(m, state, drive, speed, elastic);
+  // What turns with the link and is no pair: rotations, by which arms move ends.
+  const Eigen::VectorXd u = member_unknowns(m, state, elastic.q);
+  const Eigen::VectorXd first = member_unknowns(m, state, elastic.first);
+  const auto& pairs = member.link.pairs;
+  const auto without_pairs = [&](Eigen::VectorXd v) {
+    for (const Eigen::Index i : pairs) v[i] = v[i + 1] = 0.0;
+    return v;
+  };
+  const double spin = speed * rates.spin, spin_rate = speed * speed * rates.spin_rate;
+  const Eigen::VectorXd turned = without_pairs(u), turning = without_pairs(first);
   std::vector<Eigen::Vector2d> loads;
   for (const ElasticLink::Element& element : member.link.elements) {
     Eigen::Vector2d load;
     for (int end = 0; end < 2; ++end) {
       const PartMotion point = rigid_.point(state, member.part, element.ends[end]);
       const Vec2 rigid = (speed * speed) * acceleration_of(point, drive) - layout_.gravity;
-      const double normal = dot(rotate(state.parts[member.part].turn, element.normal), rigid);
-      load[end] = -element.mass_per_length * (normal + element.deflection[end].dot(second));
+      const Vec2 own = rotate(-part.turn, rigid);
+      const Eigen::Vector2d moved = element.displacement[end] * second;
+      const Eigen::Vector2d r = element.displacement[end] * turned;
+      const Eigen::Vector2d v = element.displacement[end] * turning;
+      const Vec2 carried = 2.0 * spin * perp({v[0], v[1]}) + spin_rate * perp({r[0], r[1]}) -
+                           (spin * spin) * Vec2{r[0], r[1]};
+      load[end] =
+          -element.mass_per_length * dot(element.normal, own + Vec2{moved[0], moved[1]} + carried);
     }
     loads.push_back(load);
   }

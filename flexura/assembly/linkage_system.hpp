@@ -75,6 +75,11 @@ struct LinkageMatrices {
   Eigen::VectorXd load;          ///< f
 };
 
+/// Elastic displacements q at one position, with their first and second derivatives by time.
+struct ElasticState {
+  Eigen::VectorXd q, first, second;
+};
+
 /// Kineto-elastodynamics: elastic displacements, linear, upon the motion of rigid links (Turcic and
 /// Midha, ASME J. Dyn. Syst. Meas. Control 106, 1984, eqs. (1) to (14)). Constraints of joints are
 /// eliminated: unknowns q are those of U that remain.
@@ -97,11 +102,10 @@ class LinkageSystem {
   /// Unknowns of a member's link, in its own axes.
   Eigen::VectorXd member_unknowns(std::size_t member, const RigidState& state,
                                   const Eigen::VectorXd& q) const;
-  /// Transverse forces of inertia per length at both ends of each of a member's elements, by its
-  /// rigid motion and the second rates of q.
+  /// Transverse forces of inertia per length at both ends of each of a member's elements.
   std::vector<Eigen::Vector2d> element_loads(std::size_t member, const RigidState& state,
                                              const DriveRate& drive, double speed,
-                                             const Eigen::VectorXd& q_second) const;
+                                             const ElasticState& elastic) const;
   /// Forces on the rigid parts of what they carry: of their inertia at a mean speed, less loads.
   struct PartForce {
     Vec2 force;
@@ -127,6 +131,12 @@ class LinkageSystem {
   };
   Rows constraints(const RigidState& state) const;
   Eigen::VectorXd all_unknowns(const RigidState& state, const Eigen::VectorXd& q) const;
+  /// A member's unknowns out of all, along fixed axes.
+  Eigen::VectorXd gather(std::size_t member, const Eigen::VectorXd& all) const;
+  /// Second derivative by time, in the link's axes, of a vector that is u there and moves with it.
+  Eigen::VectorXd link_acceleration(std::size_t member, const RigidState& state,
+                                    const DriveRate& drive, double speed,
+                                    const ElasticState& elastic) const;
   void add_member(std::size_t member, const RigidState& state, const DriveRate& drive,
                   bool coupling, LinkageMatrices& sum) const;
   void add_mass(const LinkageLayout::Mass& mass, const RigidState& state, const DriveRate& drive,

@@ -151,10 +151,16 @@ void BeamLink::add_element(const Element& e) {
     link_.slices.push_back({rotation, stretch / stiff.axial_compliance, length,
                             inertia_.rotary ? axis * mass.rotary : 0.0});
   }
-  link_.elements.push_back({{e.start, e.start + e.length * e.along},
-                            e.across,
-                            {bending_row(e, {1, 0, 0, 0}), bending_row(e, {0, 0, 1, 0})},
-                            inertia_.at(e.s + 0.5 * e.arc).mass * e.arc / e.length});
+  ElasticLink::Element element{{e.start, e.start + e.length * e.along},
+                               e.across,
+                               {},
+                               inertia_.at(e.s + 0.5 * e.arc).mass * e.arc / e.length};
+  for (int end = 0; end < 2; ++end) {
+    element.displacement[end] = Eigen::MatrixXd::Zero(2, link_.size());
+    element.displacement[end](0, e.first[end]) = 1.0;
+    element.displacement[end](1, e.first[end] + 1) = 1.0;
+  }
+  link_.elements.push_back(std::move(element));
 }
 
 /// -c w'', on the side of the normal, which is that of +n.

@@ -2,14 +2,12 @@
 #include <algorithm>
 
 #include "flexura/assembly/motion_port.hpp"
-#include "flexura/core/symmetric_factor.hpp"
 #include "flexura/modelings/linkage_links.hpp"
-#include "flexura/solvers/vibration.hpp"
+#include "flexura/modelings/linkage_shapes.hpp"
 
 namespace flexura {
 namespace {
 
-constexpr Eigen::Index many_unknowns = 200;
 constexpr double small = 1e-5;  // internal unknowns are of order one: results are linear up to that
 
 /// Weights of Simpson's rule for an odd number of even stations.
@@ -53,40 +51,6 @@ Drawn drawn_of(const MotionPort& port) {
     }
   return drawn;
 }
-
-/// Vibrations with the tip held, for flexures of many unknowns.
-class HeldVibrations final : public VibrationOperator {
- public:
-  HeldVibrations(const Drawn& drawn, const Eigen::MatrixXd& mass) : drawn_(drawn), mass_(mass) {}
-  Eigen::Index size() const override { return mass_.rows(); }
-  Eigen::Index most_rigid() const override { return 0; }
-  bool set_shift(double shift) override { return factor_.factorize(bordered(shift)); }
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const override {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(size() + 3);
-    x.head(size()) = b;
-    factor_.solve(x);
-    return x.head(size());
-  }
-  Eigen::VectorXd multiply_mass(const Eigen::VectorXd& x) const override { return mass_ * x; }
-  std::optional<int> count_below(double square) const override {
-    SymmetricFactor factor;
-    if (!factor.factorize(bordered(-square))) return std::nullopt;
-    return factor.negative() - 3;  // one for every constraint
-  }
-
- private:
-  Eigen::MatrixXd bordered(double shift) const {
-    const Eigen::Index m = size();
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(m + 3, m + 3);
-    matrix.topLeftCorner(m, m) = drawn_.stiffness + shift * mass_;
-    matrix.bottomLeftCorner(3, m) = drawn_.tip;
-    return matrix;
-  }
-
-  const Drawn& drawn_;
-  const Eigen::MatrixXd& mass_;
-  SymmetricFactor factor_;
-};
 
 class PortLink {
  public:
@@ -135,30 +99,19 @@ Eigen::Matrix<double, 3, 6> PortLink::relative() const {
 /// the tip held.
 void PortLink::find_shapes(int most_modes) {
   const Eigen::Index m = drawn_.stiffness.rows();
-  Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(m + 3, m + 3);
-  bordered.topLeftCorner(m, m) = drawn_.stiffness;
-  bordered.bottomLeftCorner(3, m) = drawn_.tip;
-  bordered.topRightCorner(m, 3) = drawn_.tip.transpose();
-  Eigen::MatrixXd units = Eigen::MatrixXd::Zero(m + 3, 3);
-  units.bottomRows<3>().setIdentity();
-  const Eigen::MatrixXd static_shapes = bordered.partialPivLu().solve(units).topRows(m);
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(m, m);
   for (std::size_t g = 0; g < port_.points().size(); ++g) {
-    const auto rows = drawn_.slopes.middleRows<2>(2 * static_cast<Eigen::Index>(g));
-    mass += port_.points()[g].inertia * rows.transpose() * rows;
+    const MassPoint& point = port_.points()[g];
+    const auto first = static_cast<Eigen::Index>(point.first);
+    const auto count = static_cast<Eigen::Index>(point.count);
+    const auto rows = drawn_.slopes.block(2 * static_cast<Eigen::Index>(g), first, 2, count);
+    mass.block(first, first, count, count) += point.inertia * rows.transpose() * rows;
   }
   const int count = std::min(most_modes, static_cast<int>(m) - 3);
-  Eigen::MatrixXd modes(m, 0);
-  if (count > 0) {
-    HeldVibrations op(drawn_, mass);
-    const Vibrations held = m > many_unknowns
-                                ? sparse_vibrations(op, count)
-                                : dense_vibrations(drawn_.stiffness, mass, drawn_.tip, count);
-    if (held.found) modes = held.shapes;
-  }
-  inside_.resize(m, 6 + modes.cols());
-  inside_.leftCols<6>() = static_shapes * relative();
-  inside_.rightCols(modes.cols()) = modes;
+  const HeldShapes shapes = held_shapes(drawn_.stiffness, mass, drawn_.tip, count);
+  inside_.resize(m, 6 + shapes.vibrations.cols());
+  inside_.leftCols<6>() = shapes.by_tip * relative();
+  inside_.rightCols(shapes.vibrations.cols()) = shapes.vibrations;
 }
 
 void PortLink::add_masses() {

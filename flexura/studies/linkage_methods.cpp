@@ -13,7 +13,7 @@ constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double settled = 1e-9;  // change over a turn, of the largest displacement
 constexpr int most_passes = 20;   // with the axial forces of the last
 constexpr double same_motion = 1e-9;
-constexpr int transient_stages = 3;
+constexpr int transient_stages = 4;
 
 const char* const buckling_remark =
     "axial forces at some angle are beyond what a link bears at rest: it does not buckle in "
@@ -27,12 +27,6 @@ std::string buckles(double angle) {
       angle * 180.0 / std::numbers::pi);
 }
 
-/// By time, of what is by the angle.
-Eigen::VectorXd second_rate(const DriveRate& drive, double speed, const OscillationState& state) {
-  const double w = speed * drive.rate;
-  return w * w * state.second + (speed * speed * drive.rate * drive.slope) * state.first;
-}
-
 /// States at the positions out of those at the ends of all intervals. The first has the second
 /// derivative of the last.
 std::vector<ElasticState> at_positions(const LinkageTurn& turn, double speed,
@@ -43,7 +37,7 @@ std::vector<ElasticState> at_positions(const LinkageTurn& turn, double speed,
   std::size_t k = 0;
   for (const double angle : turn.positions()) {
     while (k + 1 < ends.size() && std::abs(ends[k] - angle) > 1e-10) ++k;
-    chosen.push_back({states[k].u, second_rate(turn.drive(angle), speed, states[k])});
+    chosen.push_back(by_time(turn.drive(angle), speed, states[k]));
   }
   return chosen;
 }
@@ -81,6 +75,12 @@ class Oscillation {
 
 }  // namespace
 
+ElasticState by_time(const DriveRate& drive, double speed, const OscillationState& state) {
+  const double w = speed * drive.rate;
+  return {state.u, w * state.first,
+          w * w * state.second + (speed * speed * drive.rate * drive.slope) * state.first};
+}
+
 LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& /*study*/, double speed) {
   LinkageSolution solution;
   for (const double angle : turn.positions()) {
@@ -91,7 +91,8 @@ LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& /*stud
       return solution;
     }
     const Eigen::VectorXd q = factor.solve(m.load + speed * speed * m.inertia_load);
-    solution.states.push_back({q, Eigen::VectorXd::Zero(q.size())});
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(q.size());
+    solution.states.push_back({q, none, none});
   }
   solution.termination = {Status::converged, {}};
   return solution;

@@ -18,6 +18,9 @@ struct LinkageSolution {
   std::string remark;
 };
 
+/// Derivatives by time, of what has them by the angle.
+ElasticState by_time(const DriveRate& drive, double speed, const OscillationState& state);
+
 /// Stages of Radau's rule in every interval of the periodic solution.
 inline constexpr int periodic_stages = 6;
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "flexura/solvers/vibration.hpp"
 #include "flexura/studies/linkage_methods.hpp"
@@ -65,7 +67,10 @@ class Midha {
 
  private:
   bool freeze();
-  bool freeze(double angle, double length);
+  std::optional<FrozenInterval> freeze(double angle, double length);
+  /// At the start of an interval, seen by the modes there: those of its middle would strain links
+  /// that are not yet where the middle has them.
+  ElasticState seen_at(std::size_t bound, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const;
   /// From the end of an interval to the start of the next.
   ModalState carry_over(std::size_t from, const ModalState& state) const;
   ModalState over_turn(ModalState state, bool loaded) const;
@@ -78,11 +83,12 @@ class Midha {
   double speed_;
   std::vector<double> ends_;
   std::vector<FrozenInterval> intervals_;
+  std::vector<FrozenInterval> bounds_;  // of no length, at their ends
   std::optional<double> buckled_;
   Eigen::PartialPivLU<Eigen::MatrixXd> turn_factor_;
 };
 
-bool Midha::freeze(double angle, double length) {
+std::optional<FrozenInterval> Midha::freeze(double angle, double length) {
   const LinkageMatrices& m = turn_.matrices(angle);
   const Eigen::MatrixXd stiffness = turn_.stiffness(angle, speed_);
   const Vibrations modes = dense_vibrations(
@@ -90,7 +96,7 @@ bool Midha::freeze(double angle, double length) {
       std::min(study_.midha_modes.value_or(default_modes), static_cast<int>(m.mass.rows())));
   if (!modes.found || modes.squares.size() == 0 || modes.squares[0] <= 0.0) {
     buckled_ = angle;
-    return false;
+    return {};
   }
   FrozenInterval interval;
   interval.time = length / (speed_ * turn_.drive(angle).rate);
@@ -114,18 +120,38 @@ bool Midha::freeze(double angle, double length) {
         interval.weighted.col(i) *= -1.0;
         interval.modal_load[i] *= -1.0;
       }
-  intervals_.push_back(std::move(interval));
-  return true;
+  return interval;
 }
 
 bool Midha::freeze() {
-  std::vector<double> middles;
+  std::vector<double> angles = ends_;
   for (std::size_t k = 0; k + 1 < ends_.size(); ++k)
-    middles.push_back(0.5 * (ends_[k] + ends_[k + 1]));
-  if (!turn_.visit(middles)) return false;
-  for (std::size_t k = 0; k < middles.size(); ++k)
-    if (!freeze(middles[k], ends_[k + 1] - ends_[k])) return false;
+    angles.push_back(0.5 * (ends_[k] + ends_[k + 1]));
+  if (!turn_.visit(angles)) return false;
+  for (std::size_t k = 0; k < ends_.size(); ++k) {
+    auto bound = freeze(ends_[k], 0.0);
+    if (!bound) return false;
+    bounds_.push_back(std::move(*bound));
+    if (k + 1 == ends_.size()) break;
+    auto interval = freeze(angles[ends_.size() + k], ends_[k + 1] - ends_[k]);
+    if (!interval) return false;
+    intervals_.push_back(std::move(*interval));
+  }
   return true;
+}
+
+ElasticState Midha::seen_at(std::size_t k, const Eigen::VectorXd& u,
+                            const Eigen::VectorXd& v) const {
+  FrozenInterval bound = bounds_[k];
+  if (study_.coupling) bound.whole_load = bound.load - bound.turning * v - bound.carrying * u;
+  bound.modal_load = bound.shapes.transpose() * bound.whole_load;
+  const Eigen::ArrayXd value = bound.weighted.transpose() * u;
+  const Eigen::ArrayXd rate = bound.weighted.transpose() * v;
+  const Eigen::VectorXd second = bound.modal_load.array() -
+                                 2.0 * bound.damping.array() * bound.frequency.array() * rate -
+                                 bound.frequency.array().square() * value;
+  return {bound.shapes * value.matrix() + left_out(bound), bound.shapes * rate.matrix(),
+          bound.shapes * second};
 }
 
 ModalState Midha::carry_over(std::size_t from, const ModalState& state) const {
@@ -181,8 +207,10 @@ LinkageSolution Midha::solve() {
   solution.counted = "iterations of the coupling terms";
   if (!freeze()) {
     if (buckled_)
-      solution.termination = {Status::stopped,
-                              fmt::format("a link buckles at {:.4g} rad of the drive", *buckled_)};
+      solution.termination = {
+          Status::stopped, fmt::format("a link buckles at {:.4g} degrees of the drive: its modes "
+                                       "have no frequency there",
+                                       *buckled_ * 180.0 / std::numbers::pi)};
     return solution;
   }
   factorize_turn();
@@ -195,12 +223,10 @@ LinkageSolution Midha::solve() {
     std::vector<Eigen::VectorXd> now_rates;
     for (std::size_t k = 0; k <= intervals_.size(); ++k) {
       const FrozenInterval& interval = intervals_[k % intervals_.size()];
-      const Eigen::VectorXd second =
-          interval.modal_load.array() -
-          2.0 * interval.damping.array() * interval.frequency.array() * state.rate.array() -
-          interval.frequency.array().square() * state.value.array();
-      now.push_back({interval.shapes * state.value + left_out(interval), interval.shapes * second});
-      now_rates.push_back(interval.shapes * state.rate);
+      const Eigen::VectorXd u = interval.shapes * state.value;
+      const Eigen::VectorXd v = interval.shapes * state.rate;
+      now.push_back(seen_at(k, u, v));
+      now_rates.push_back(v);
       if (k < intervals_.size()) state = carry_over(k, advance(interval, state, true));
     }
     double size = 0.0, moved = 0.0;

@@ -23,8 +23,7 @@ std::vector<Eigen::Vector2d> loads_of(const LinkageStudy& study, const LinkageTu
                                       std::size_t member, double angle, double speed,
                                       const ElasticState& state) {
   if (!study.inertia_correction) return {};
-  return turn.system().element_loads(member, turn.state(angle), turn.drive(angle), speed,
-                                     state.second);
+  return turn.system().element_loads(member, turn.state(angle), turn.drive(angle), speed, state);
 }
 
 Vec2 moved(const LinkageSystem& system, const RigidState& state, std::size_t part, Vec2 drawn) {

@@ -9,11 +9,6 @@
 
 namespace flexura {
 
-/// Elastic displacements at one position: q and its second derivative by time.
-struct ElasticState {
-  Eigen::VectorXd q, second;
-};
-
 /// Names and the rigid motion over the turn: poses, driving torque, reactions, shaking forces.
 /// Precondition: the turn visited its positions.
 LinkageResult make_linkage_names(const Model& model, const LinkageStudy& study,

@@ -32,12 +32,8 @@ SpeedState at_speed(const LinkageTurn& turn, const LinkageStudy& study,
     state.peak_strain.assign(members.size(), 0.0);
     const std::vector<OscillationState> states = oscillation.states(periodic.start);
     for (std::size_t k = 1; k < states.size(); ++k) {
-      const DriveRate drive = turn.drive(ends[k]);
-      const double w = speed * drive.rate;
-      const Eigen::VectorXd second =
-          w * w * states[k].second + speed * speed * drive.rate * drive.slope * states[k].first;
       const Eigen::RowVectorXd strains =
-          strains_at(study, turn, ends[k], speed, {states[k].u, second});
+          strains_at(study, turn, ends[k], speed, by_time(turn.drive(ends[k]), speed, states[k]));
       for (std::size_t m = 0; m < members.size(); ++m)
         state.peak_strain[m] =
             std::max(state.peak_strain[m], std::abs(strains[static_cast<Eigen::Index>(m)]));

@@ -22,7 +22,17 @@ std::vector<std::string> examples() {
 
 class Example : public ::testing::TestWithParam<std::string> {};
 
+#ifdef __SANITIZE_ADDRESS__
+/// Minutes there, and smaller tests walk through the same code.
+bool takes_long(const std::string& name) {
+  return name == "turcic_midha_four_bar" || name == "punching_machine" || name == "plate_follower";
+}
+#else
+bool takes_long(const std::string& /*name*/) { return false; }
+#endif
+
 TEST_P(Example, Runs) {
+  if (takes_long(GetParam())) GTEST_SKIP();
   const ModelReading reading =
       read_model(std::string(FLEXURA_SOURCE_DIR "/examples/") + GetParam() + ".toml");
   ASSERT_TRUE(reading.model.has_value());
