@@ -158,7 +158,7 @@ TEST(FourBarMethods, MidhaConvergesToAPlateau) {
   const double plateau = distance(fine, periodic.flexures[1].strain);
   RecordProperty("order", std::to_string(order));
   RecordProperty("plateau", std::to_string(plateau));
-  EXPECT_NEAR(order, 2.0, 0.3);
+  EXPECT_NEAR(order, 1.0, 0.2);
   EXPECT_LT(plateau, 0.03);
   bar.study.positions = 180;
   bar.study.continuity = LinkageStudy::Continuity::modal;

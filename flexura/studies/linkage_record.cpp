@@ -57,8 +57,8 @@ void record_forces(const LinkageTurn& turn, double angle, double speed, RigidPos
   const Eigen::VectorXd needed =
       by_columns(rigid, inertia, n) - by_columns(rigid, system.load_forces(state), n);
   const Eigen::MatrixXd transposed = jacobian.leftCols(n - 1).transpose();
-  const Eigen::VectorXd carried =
-      transposed.completeOrthogonalDecomposition().solve(needed.head(n - 1));
+  Eigen::VectorXd carried = Eigen::VectorXd::Zero(jacobian.rows());
+  if (n > 1) carried = transposed.completeOrthogonalDecomposition().solve(needed.head(n - 1));
   position.torque = needed[n - 1] - jacobian.col(n - 1).dot(carried);
   const double size = rigid.layout().size;
   for (std::size_t k = 0; k < rigid.layout().pins.size(); ++k) {
