@@ -129,6 +129,7 @@ TEST(LinkageStudies, VaryingSpeedsAreStillPeriodic) {
   Model model = turcic_midha_four_bar().model();
   model.drivers[0].amount = 200.0 * rpm;
   LinkageStudy study = beams(1);
+  study.positions = 180;
   study.fluctuation = {{1, 0.05, 0.3}};
   study.methods = {LinkageStudy::Method::periodic, LinkageStudy::Method::transient};
   const LinkageResult varied = run(model, study);
@@ -152,7 +153,10 @@ TEST(LinkageStudies, SlowTurningIsQuasiStatic) {
   study.loads = {load};
   study.methods = {LinkageStudy::Method::quasi_static, LinkageStudy::Method::periodic};
   const LinkageResult result = run(model, study);
-  EXPECT_LT(*result.modelings[0].difference, 1e-3);
+  // the crank; the others, held at pins, are bent by their inertia alone
+  EXPECT_LT(
+      distance(result.modelings[0].flexures[0].strain, result.modelings[1].flexures[0].strain),
+      1e-3);
 }
 
 /// Axial forces of the vibration itself: passes until they agree, and another answer than that of
