@@ -113,12 +113,12 @@ double distance(const std::vector<Eigen::VectorXd>& before,
 
 /// With the axial forces of the pass before, until they are its own; one pass where they are those
 /// at rest. Throws Buckled.
-void pass_until_agreed(LinkageTurn& turn, const std::vector<double>& ends, bool dynamic,
+void pass_until_agreed(LinkageTurn& turn, const std::vector<double>& ends, int stages, bool dynamic,
                        double speed, Oscillation& matrices, LinkageSolution& solution) {
-  const std::vector<double> angles = LinkageTurn::stage_angles(ends, periodic_stages);
+  const std::vector<double> angles = LinkageTurn::stage_angles(ends, stages);
   std::vector<Eigen::VectorXd> before;
   for (int pass = 0; pass < most_passes; ++pass) {
-    const PeriodicOscillation oscillation(ends, periodic_stages, matrices);
+    const PeriodicOscillation oscillation(ends, stages, matrices);
     const PeriodicOscillation::Periodic periodic = oscillation.solve_periodic();
     solution.iterations += periodic.turns;
     solution.multipliers = periodic.multipliers;
@@ -144,19 +144,20 @@ void pass_until_agreed(LinkageTurn& turn, const std::vector<double>& ends, bool 
 
 }  // namespace
 
-LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed) {
+LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed,
+                               int stages) {
   LinkageSolution solution;
   const std::vector<double> ends = turn.interval_ends(1);
-  if (!turn.visit(LinkageTurn::stage_angles(ends, periodic_stages))) return solution;
+  if (!turn.visit(LinkageTurn::stage_angles(ends, stages))) return solution;
   const bool dynamic = study.geometric_stiffness == LinkageStudy::GeometricStiffness::dynamic;
   Oscillation matrices(turn, speed);
   solution.counted = "turns";
   try {
-    pass_until_agreed(turn, ends, dynamic, speed, matrices, solution);
+    pass_until_agreed(turn, ends, stages, dynamic, speed, matrices, solution);
   } catch (const LinkageTurn::Buckled&) {
     matrices.damp_elastically();
     solution.remark = buckling_remark;
-    pass_until_agreed(turn, ends, dynamic, speed, matrices, solution);
+    pass_until_agreed(turn, ends, stages, dynamic, speed, matrices, solution);
   }
   return solution;
 }

@@ -23,10 +23,13 @@ ElasticState by_time(const DriveRate& drive, double speed, const OscillationStat
 
 /// Stages of Radau's rule in every interval of the periodic solution.
 inline constexpr int periodic_stages = 6;
+/// Of a linkage that is solved to see what its elements leave out: 1e-5 of the strains.
+inline constexpr int estimate_stages = 3;
 
 LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& study, double speed);
 /// The periodic boundary-value problem.
-LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed);
+LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed,
+                               int stages = periodic_stages);
 /// From rest in the quasi-static position, turn by turn, until nothing changes any more.
 LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, double speed,
                                 const std::function<bool(double)>& keep_going);

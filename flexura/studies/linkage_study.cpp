@@ -103,7 +103,9 @@ std::optional<double> Linkage::estimate(Method method, const std::vector<Elastic
   if (!finer_) finer_ = std::make_unique<LinkageTurn>(model_, study_, true);
   LinkageTurn& finer = *finer_;
   if (finer.system().size() > most_estimated || !finer.visit(finer.positions())) return {};
-  const LinkageSolution fine = solve(method, finer);
+  const LinkageSolution fine = method == Method::periodic
+                                   ? solve_periodic(finer, study_, speed_, estimate_stages)
+                                   : solve(method, finer);
   if (!fine.termination.converged()) return {};
   return strain_distance(middle_strains(study_, turn_, speed_, states),
                          middle_strains(study_, finer, speed_, fine.states));
