@@ -148,8 +148,9 @@ std::vector<std::size_t> Refinement::inside() const {
     border.insert({part.from, part.to});
     add(delaunay_.left_of(part.from, part.to));
   }
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const Delaunay::Triangle& triangle = delaunay_.triangles()[found[k]];
+  std::size_t next = 0;
+  while (next < found.size()) {  // which grows meanwhile
+    const Delaunay::Triangle& triangle = delaunay_.triangles()[found[next++]];
     for (std::size_t i = 0; i < 3; ++i)
       if (!border.contains({triangle.vertices[i], triangle.vertices[(i + 1) % 3]}))
         add(triangle.across[i]);

@@ -175,6 +175,7 @@ std::vector<LinkSide> border_sides(const LinkMesh& mesh) {
       }
   }
   std::vector<LinkSide> border;
+  border.reserve(sides.size());
   for (const auto& [ends, side] : sides) border.push_back(side);
   return border;
 }

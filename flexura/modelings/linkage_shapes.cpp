@@ -25,8 +25,8 @@ std::optional<Indices> tip_unknowns(const Eigen::MatrixXd& tip) {
 /// Vibrations of a sparse matrix that is positive definite.
 class SparseVibrations final : public VibrationOperator {
  public:
-  SparseVibrations(Sparse stiffness, Sparse mass)
-      : stiffness_(std::move(stiffness)), mass_(std::move(mass)) {
+  SparseVibrations(const Sparse& stiffness, const Sparse& mass)
+      : stiffness_(stiffness), mass_(mass) {
     factor_.analyzePattern(stiffness_ + mass_);
   }
   Eigen::Index size() const override { return mass_.rows(); }

@@ -221,10 +221,11 @@ bool PeriodicOrbit<Map>::advance(Eigen::VectorXd& x) {
 /// Shortened until the miss falls.
 template <PeriodMap Map>
 bool PeriodicOrbit<Map>::try_step(Eigen::VectorXd& x, const Eigen::VectorXd& step) {
-  constexpr double shortest = 1.0 / 64.0;
+  constexpr int most_halvings = 6;
   const double before = summary_.miss();
   before_ = miss_;
-  for (double factor = 1.0; factor >= shortest; factor *= 0.5) {
+  for (int halvings = 0; halvings <= most_halvings; ++halvings) {
+    const double factor = std::ldexp(1.0, -halvings);
     const Eigen::VectorXd trial = x + factor * step;
     const bool through = turn(trial);
     if (asks_to_stop()) return false;

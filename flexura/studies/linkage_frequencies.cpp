@@ -48,6 +48,7 @@ void find_frequencies(const LinkageTurn& turn, const LinkageStudy& study, double
     const Vibrations found = dense_vibrations(turn.stiffness(angle, speed), m.mass,
                                               Eigen::MatrixXd(0, m.mass.cols()), count);
     std::vector<double> frequencies;
+    frequencies.reserve(static_cast<std::size_t>(found.squares.size()));
     for (Eigen::Index i = 0; i < found.squares.size(); ++i)
       frequencies.push_back(std::copysign(std::sqrt(std::abs(found.squares[i])), found.squares[i]));
     if (before.cols() == found.shapes.cols()) {

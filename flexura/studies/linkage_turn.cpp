@@ -43,6 +43,7 @@ bool LinkageTurn::visit(std::vector<double> angles) {
   });
   sort_apart(angles);
   std::vector<double> turns;
+  turns.reserve(angles.size());
   for (const double angle : angles) turns.push_back(sense_ * angle);
   std::optional<RigidFailure> failure;
   std::vector<RigidState> states = system_.rigid().trace(turns, failure);
