@@ -35,6 +35,14 @@ std::string name_of(Method method) {
   return "nonlinear";
 }
 
+std::string damping_of(const DampingSettings& damping) {
+  if (damping.modal > 0.0)
+    return fmt::format("{:.6g} of critical damping in every mode at every angle", damping.modal);
+  if (damping.mass == 0.0 && damping.stiffness == 0.0) return "no damping";
+  return fmt::format("Rayleigh damping: {:.6g} times mass and {:.6g} times stiffness", damping.mass,
+                     damping.stiffness);
+}
+
 class Linkage {
  public:
   Linkage(const Model& model, const LinkageStudy& study,
@@ -200,6 +208,7 @@ void Linkage::compare() {
 LinkageResult Linkage::run(Termination& termination) {
   result_ = make_linkage_names(model_, study_, turn_);
   result_.modeling = modeling_name(study_.modeling);
+  result_.damping = damping_of(study_.damping);
   if (!go_round(termination)) return std::move(result_);
   record_rigid_motion(model_, study_, turn_, result_);
   describe_four_bar(turn_, result_);

@@ -171,7 +171,6 @@ class Run {
       LinkageResult linkage = run_linkage(model_, study, result.termination, [&](double fraction) {
         return progress_.report(result.name, study.modeling.label, fraction);
       });
-      linkage.damping = damping_sentence(study.damping);
       result.content = std::move(linkage);
       progress_.report(result.name, study.modeling.label, 1.0);
     });

@@ -46,6 +46,36 @@ const LinkageFigure = (() => {
     };
   }
 
+  // A border goes with its chord: every point keeps its place along and across it.
+  function borderOn(border, drawn, now) {
+    const frame = (places) => {
+      const [a, b] = [places[0], places[places.length - 1]];
+      const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+      return { a, u: [(b[0] - a[0]) / length, (b[1] - a[1]) / length], length };
+    };
+    const [from, to] = [frame(drawn), frame(now)];
+    return border.map((p) => {
+      const [x, y] = [p[0] - from.a[0], p[1] - from.a[1]];
+      const along = (x * from.u[0] + y * from.u[1]) / from.length;
+      const across = from.u[0] * y - from.u[1] * x;
+      const at = Math.max(0, Math.min(1, along)) * (now.length - 1);
+      const k = Math.min(Math.floor(at), now.length - 2);
+      const beyond = (along - at / (now.length - 1)) * to.length;
+      return [0, 1].map((i) => now[k][i] + (at - k) * (now[k + 1][i] - now[k][i])
+        + beyond * to.u[i] + across * (i === 0 ? -to.u[1] : to.u[0]));
+    });
+  }
+
+  // What is drawn of flexures: the axes of strips, the borders of links of any shape.
+  function drawnFlexures(turn, axes) {
+    return axes.map((axis, f) => {
+      const flexure = State.data.drawing.flexures[f];
+      return flexure.depth > 0 ? axis
+        : borderOn(d3.pairs(flexure.axis).filter((_, i) => i % 2 === 0),
+          turn.positions[0].flexures[f], axis);
+    });
+  }
+
   function bodyItems(view, turn, state, look) {
     return turn.bodies.map((name) => Mechanism.bodyItem(
       view, { name, ends: outlineOf(name, state, turn), points: [] }, Mechanism.still, look));
@@ -54,7 +84,8 @@ const LinkageFigure = (() => {
   function drawRigid(view, turn, rigid) {
     const look = { key: 'rigid' };
     view.paths('ghost-bodies', bodyItems(view, turn, rigid, look));
-    view.paths('ghost-flexures', Mechanism.flexureItems(view, rigid.flexures, look));
+    view.paths('ghost-flexures', Mechanism.flexureItems(
+      view, drawnFlexures(turn, rigid.flexures), look));
   }
 
   // Bodies that turn on the spot: their shaft is there.
@@ -129,7 +160,7 @@ const LinkageFigure = (() => {
       Mechanism.springItems(view, carried(state, turn), look))));
     view.paths('bodies', each((state, look) => bodyItems(view, turn, state, look)));
     view.paths('flexures', each((state, look) => (
-      Mechanism.flexureItems(view, state.flexures, look))));
+      Mechanism.flexureItems(view, drawnFlexures(turn, state.flexures), look))));
     view.paths('connections', each((state, look) => (
       Mechanism.connectionItems(view, carried(state, turn), look))));
     drawTraces(view, turn, states, factor);
