@@ -40,8 +40,7 @@ void find_frequencies(const LinkageTurn& turn, const LinkageStudy& study, double
                       LinkageResult& result) {
   const int count = std::min(std::max(4, study.modes), static_cast<int>(turn.system().size()));
   Eigen::MatrixXd before;
-  std::vector<std::size_t> order(static_cast<std::size_t>(count));
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;  // of the modes followed, among those of a position
   double worst = 0.0;
   for (const double angle : turn.positions()) {
     const LinkageMatrices& m = turn.matrices(angle);
@@ -51,14 +50,17 @@ void find_frequencies(const LinkageTurn& turn, const LinkageStudy& study, double
     frequencies.reserve(static_cast<std::size_t>(found.squares.size()));
     for (Eigen::Index i = 0; i < found.squares.size(); ++i)
       frequencies.push_back(std::copysign(std::sqrt(std::abs(found.squares[i])), found.squares[i]));
-    if (before.cols() == found.shapes.cols()) {
+    if (order.size() != frequencies.size()) {  // what has no mass has no frequency
+      order.resize(frequencies.size());
+      std::iota(order.begin(), order.end(), std::size_t{0});
+    } else if (before.cols() == found.shapes.cols()) {
       const std::vector<std::size_t> next = follow(before, m.mass, found.shapes);
       for (std::size_t& place : order) place = next[place];
     }
     before = found.shapes;
     std::vector<double> followed;
-    for (const std::size_t place : order)
-      followed.push_back(place < frequencies.size() ? frequencies[place] : 0.0);
+    followed.reserve(order.size());
+    for (const std::size_t place : order) followed.push_back(frequencies[place]);
     result.frequencies.push_back(std::move(frequencies));
     result.followed.push_back(std::move(followed));
     if (!turn.system().stiffens()) continue;
