@@ -11,6 +11,7 @@ constexpr double longest_step = 2.0 * std::numbers::pi / 180.0;
 constexpr double shortest_step = 1e-7;
 constexpr double closed = 1e-13;        // gap, as a share of the size
 constexpr double same_rank = 1e-9;      // of singular values
+constexpr double change_point = 1e-6;   // likewise: closer to one, digits of the motion are lost
 constexpr double largest_change = 0.2;  // of a prediction by Newton's method: a part of a step
 
 Vec2 arm(const RigidLinkageLayout& layout, const RigidState& state, std::size_t part, Vec2 at) {
@@ -160,7 +161,7 @@ bool RigidLinkage::differentiate(RigidState& state) const {
   const Eigen::MatrixXd j = jacobian(state);
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(j.leftCols(unknowns_),
                                         Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(same_rank);
+  svd.setThreshold(change_point);
   const Eigen::VectorXd values = svd.singularValues();
   state.freedom = values.size() < unknowns_ ? 0.0 : values[unknowns_ - 1] / values[0];
   if (svd.rank() < unknowns_) return false;
@@ -206,8 +207,11 @@ std::optional<RigidState> RigidLinkage::follow(RigidState state, double angle,
     }
     step *= 0.5;
     if (step < shortest_step) {
-      failure = {state.angle, state.freedom < 1e-2 ? "the links are stretched out or fold up there"
-                                                   : "the links cannot be closed beyond it"};
+      failure = {state.angle,
+                 state.freedom < 1e-2
+                     ? "it comes to a change point, where links are in one line and could go on in "
+                       "two ways, or no further"
+                     : "the links cannot be closed beyond it"};
       return {};
     }
   }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr Eigen::Index most_estimated = 150;  // unknowns of a refined linkage
+constexpr double near_change_point = 5e-3;    // RigidState::freedom
 constexpr double large_deflection = 0.02;     // of a link's length: beyond it linear theory is off
 
 using Method = LinkageStudy::Method;
@@ -60,6 +61,7 @@ class Linkage {
   LinkageSolution solve(Method method, LinkageTurn& turn) const;
   LinkageMotion solve_and_record(Method method);
   std::optional<double> estimate(Method method, const std::vector<ElasticState>& states);
+  void note_change_points();
   void note_reductions();
   void note_peaks();
   void warn_of_large_deflections(LinkageMotion& motion) const;
@@ -117,6 +119,22 @@ std::optional<double> Linkage::estimate(Method method, const std::vector<Elastic
   if (!fine.termination.converged()) return {};
   return strain_distance(middle_strains(study_, turn_, speed_, states),
                          middle_strains(study_, finer, speed_, fine.states));
+}
+
+/// Where links nearly come into one line, the mechanism nearly loses its hold on itself.
+void Linkage::note_change_points() {
+  double least = 1.0, where = 0.0;
+  for (const double angle : turn_.positions()) {
+    const double freedom = turn_.state(angle).freedom;
+    if (freedom >= least) continue;
+    least = freedom;
+    where = angle;
+  }
+  if (least > near_change_point) return;
+  result_.notes.push_back(
+      fmt::format("close to a change point at {:.4g} degrees of the drive: links are nearly in one "
+                  "line there, and small errors of their lengths matter",
+                  turn_.sense() * where / degree));
 }
 
 void Linkage::note_reductions() {
@@ -213,6 +231,7 @@ LinkageResult Linkage::run(Termination& termination) {
   record_rigid_motion(model_, study_, turn_, result_);
   describe_four_bar(turn_, result_);
   find_frequencies(turn_, study_, speed_, result_);
+  note_change_points();
   note_reductions();
   termination.status = Status::converged;
   double done = 0.0;

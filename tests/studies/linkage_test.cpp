@@ -112,6 +112,20 @@ TEST(LinkageStudies, SayWhereACrankCannotTurn) {
   EXPECT_NE(reason.find("degrees"), std::string::npos) << reason;
 }
 
+/// A parallelogram comes into one line half a turn on.
+TEST(LinkageStudies, SayWhereAChangePointIs) {
+  Mechanism bar;
+  bar.material(210e3, 0.3).density(7.85e-9).section(RectangleSection{3.0, 20.0});
+  bar.fixed("ground").body("shaft").centre({0.0, 0.0}).body("A").body("B");
+  bar.flexure("shaft", "A", LineAxis{{0.0, 0.0}, {0.0, 40.0}}).pin_action();
+  bar.flexure("A", "B", LineAxis{{0.0, 40.0}, {100.0, 40.0}}).pin_base().pin_action();
+  bar.flexure("ground", "B", LineAxis{{100.0, 0.0}, {100.0, 40.0}}).pin_base().pin_action();
+  bar.turn("shaft", 10.0, LinearHistory{});
+  const std::string reason = refusal(bar.model(), beams(1));
+  EXPECT_NE(reason.find("at 90 degrees"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("change point"), std::string::npos) << reason;
+}
+
 TEST(LinkageStudies, SayThatADriveDoesNotGovernAllLinks) {
   Mechanism chain;
   chain.material(210e3, 0.3).density(7.85e-9).section(RectangleSection{3.0, 20.0});
