@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flexura/studies/modes_study.hpp"
+#include "tests/support/frequencies.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/motion.hpp"
 #include "tests/support/plane_mesh.hpp"
@@ -36,35 +36,16 @@ Mechanism strip(double height, double poissons_ratio) {
   return beam;
 }
 
-std::vector<double> frequencies(const Model& model, const ModelingSettings& settings,
-                                int count = 6) {
-  ModesStudy study;
-  study.count = count;
-  const ModelingModes modes = run_modes(model, study, settings, [](double) { return true; });
-  EXPECT_TRUE(modes.termination.converged()) << modes.termination.reason;
-  std::vector<double> found;
-  for (const Mode& mode : modes.modes) found.push_back(mode.value);
-  return found;
-}
-
-double largest_difference(const std::vector<double>& found, const std::vector<double>& truth) {
-  EXPECT_EQ(found.size(), truth.size());
-  double largest = 0.0;
-  for (std::size_t k = 0; k < std::min(found.size(), truth.size()); ++k)
-    largest = std::max(largest, std::abs(found[k] / truth[k] - 1.0));
-  return largest;
-}
-
 class LinkFrequencies : public ::testing::TestWithParam<ElementKind> {};
 
 /// Six modes of a bar ten times as long as high, one of them along it, as strips of high order have
 /// them. Errors of frequencies fall with the square of the element size, and of quadratic elements
 /// with its fourth power: nothing is singular without lateral contraction.
 TEST_P(LinkFrequencies, TendToThoseOfTheStrip) {
-  const auto truth = frequencies(strip(1.0, 0.0), continuum(12, 1, 6));
+  const auto truth = frequencies(strip(1.0, 0.0), continuum(12, 1, 6), 6);
   const auto error = [&](int nx, int ny) {
     return largest_difference(
-        frequencies(meshed_bar(GetParam(), nx, ny, 1.0, 0.0), continuum(12, 1, 6)), truth);
+        frequencies(meshed_bar(GetParam(), nx, ny, 1.0, 0.0), continuum(12, 1, 6), 6), truth);
   };
   const double coarse = error(40, 4), fine = error(80, 8);
   note_measured("coarse", coarse);
@@ -84,9 +65,9 @@ INSTANTIATE_TEST_SUITE_P(Continuum, LinkFrequencies,
 
 /// With a lateral contraction the corners of the ends are singular.
 TEST(ContinuumLinkMotion, FrequenciesAreThoseOfTheStripWithLateralContraction) {
-  const auto truth = frequencies(strip(1.0, 0.3), continuum(16, 2, 8));
+  const auto truth = frequencies(strip(1.0, 0.3), continuum(16, 2, 8), 6);
   const auto found =
-      frequencies(meshed_bar(ElementKind::quad8, 60, 6, 1.0, 0.3), continuum(12, 1, 6));
+      frequencies(meshed_bar(ElementKind::quad8, 60, 6, 1.0, 0.3), continuum(12, 1, 6), 6);
   const double off = largest_difference(found, truth);
   note_measured("difference", off);
   EXPECT_LT(off, 4e-4);
@@ -94,9 +75,9 @@ TEST(ContinuumLinkMotion, FrequenciesAreThoseOfTheStripWithLateralContraction) {
 
 /// A slender bar is a beam.
 TEST(ContinuumLinkMotion, FrequenciesOfASlenderBarAreThoseOfABeam) {
-  const auto truth = frequencies(strip(0.2, 0.0), exact());
+  const auto truth = frequencies(strip(0.2, 0.0), exact(), 6);
   const auto found =
-      frequencies(meshed_bar(ElementKind::quad8, 80, 2, 0.2, 0.0), continuum(12, 1, 6));
+      frequencies(meshed_bar(ElementKind::quad8, 80, 2, 0.2, 0.0), continuum(12, 1, 6), 6);
   const double off = largest_difference(found, truth);
   note_measured("difference", off);
   EXPECT_LT(off, 3e-4);

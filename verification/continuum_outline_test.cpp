@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "flexura/geometry/outline_mesh.hpp"
-#include "flexura/studies/modes_study.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/frequencies.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/mechanism.hpp"
 #include "tests/support/modelings.hpp"
@@ -109,16 +109,6 @@ TEST(ContinuumOutline, HoleConcentratesTheStressAsPublished) {
   note_measured("stress_error", stress_error(fields).value());
   EXPECT_NEAR(largest * breadth / force, factor, 0.02 * factor);
   EXPECT_NEAR(crushed * breadth / force, -1.0, 0.2);  // -1 in an endless plate
-}
-
-std::vector<double> frequencies(const Model& model, const ModelingSettings& settings, int count) {
-  ModesStudy study;
-  study.count = count;
-  const ModelingModes modes = run_modes(model, study, settings, [](double) { return true; });
-  EXPECT_TRUE(modes.termination.converged()) << modes.termination.reason;
-  std::vector<double> found;
-  for (const Mode& mode : modes.modes) found.push_back(mode.value);
-  return found;
 }
 
 TEST(ContinuumOutline, VibratesAsTheStrip) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "flexura/studies/modes_study.hpp"
+#include "tests/support/frequencies.hpp"
 #include "tests/support/measured.hpp"
 #include "tests/support/mechanism.hpp"
 #include "tests/support/modelings.hpp"
@@ -14,23 +14,6 @@ namespace flexura::testing {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::vector<double> frequencies(const Model& model, const ModesStudy& study,
-                                const ModelingSettings& settings) {
-  const ModelingModes modes = run_modes(model, study, settings, [](double) { return true; });
-  EXPECT_TRUE(modes.termination.converged()) << modes.termination.reason;
-  std::vector<double> found;
-  for (const Mode& mode : modes.modes) found.push_back(mode.value);
-  return found;
-}
-
-double largest_difference(const std::vector<double>& found, const std::vector<double>& truth) {
-  EXPECT_EQ(found.size(), truth.size());
-  double largest = 0.0;
-  for (std::size_t k = 0; k < std::min(found.size(), truth.size()); ++k)
-    largest = std::max(largest, std::abs(found[k] / truth[k] - 1.0));
-  return largest;
-}
 
 constexpr double side = 0.01;
 constexpr double modulus = 210e9;

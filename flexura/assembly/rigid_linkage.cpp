@@ -9,10 +9,11 @@ namespace {
 
 constexpr double longest_step = 2.0 * std::numbers::pi / 180.0;
 constexpr double shortest_step = 1e-7;
-constexpr double closed = 1e-13;        // gap, as a share of the size
-constexpr double same_rank = 1e-9;      // of singular values
-constexpr double change_point = 1e-6;   // likewise: closer to one, digits of the motion are lost
-constexpr double largest_change = 0.2;  // of a prediction by Newton's method: a part of a step
+constexpr double closed = 1e-13;       // gap, as a share of the size
+constexpr double same_rank = 1e-9;     // of singular values
+constexpr double change_point = 1e-6;  // likewise: closer to one, digits of the motion are lost
+constexpr double near_change_point = 1e-2;  // where steps end for good
+constexpr double largest_change = 0.2;      // of a prediction by Newton's method: a part of a step
 
 Vec2 arm(const RigidLinkageLayout& layout, const RigidState& state, std::size_t part, Vec2 at) {
   return rotate(state.parts[part].turn, at - layout.parts[part].centre);
@@ -207,11 +208,9 @@ std::optional<RigidState> RigidLinkage::follow(RigidState state, double angle,
     }
     step *= 0.5;
     if (step < shortest_step) {
+      const bool in_line = state.freedom < near_change_point;
       failure = {state.angle,
-                 state.freedom < 1e-2
-                     ? "it comes to a change point, where links are in one line and could go on in "
-                       "two ways, or no further"
-                     : "the links cannot be closed beyond it"};
+                 in_line ? RigidFailure::Kind::change_point : RigidFailure::Kind::open};
       return {};
     }
   }
@@ -223,7 +222,7 @@ std::vector<RigidState> RigidLinkage::trace(const std::vector<double>& angles,
   std::vector<RigidState> states;
   std::optional<RigidState> state = drawn();
   if (!state) {
-    failure = RigidFailure{0.0, "the drive does not govern all links, or they do not fit"};
+    failure = RigidFailure{0.0, RigidFailure::Kind::ungoverned};
     return states;
   }
   for (const double angle : angles) {

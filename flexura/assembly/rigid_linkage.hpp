@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "flexura/core/vec2.hpp"
@@ -52,8 +51,11 @@ struct RigidState {
 
 /// Where a linkage cannot follow its drive, and how far it came.
 struct RigidFailure {
+  enum class Kind { ungoverned, change_point, open };
   double angle = 0.0;
-  std::string reason;
+  /// The drive does not say where all links are (or, as drawn, they do not fit); links come into
+  /// one line; they cannot be closed any further.
+  Kind kind = Kind::open;
 };
 
 /// Position, velocity and acceleration of a linkage over the angle of its drive.

@@ -13,7 +13,7 @@ constexpr int stations_per_link = 41;  // at least
 /// Shape functions of an element of length L at x in [0, 1]; `shear`: 12 EI/(GA_s L^2).
 /// Columns: deflection and rotation of the first node, then of the second.
 struct Shapes {
-  Eigen::RowVector4d deflection, rotation, curvature;
+  Eigen::RowVector4d deflection, slope, rotation, curvature;
 };
 Shapes shapes_at(double x, double length, double shear) {
   const double d = 1.0 + shear, L = length;
@@ -21,11 +21,14 @@ Shapes shapes_at(double x, double length, double shear) {
   at.deflection << 1 + shear * (1 - x) - 3 * x * x + 2 * x * x * x,
       L * (x + 0.5 * shear * (x - x * x) - 2 * x * x + x * x * x),
       shear * x + 3 * x * x - 2 * x * x * x, L * (-0.5 * shear * (x - x * x) - x * x + x * x * x);
+  at.slope << (-shear - 6 * x + 6 * x * x) / L, 1 + 0.5 * shear * (1 - 2 * x) - 4 * x + 3 * x * x,
+      (shear + 6 * x - 6 * x * x) / L, -0.5 * shear * (1 - 2 * x) - 2 * x + 3 * x * x;
   at.rotation << 6 * (x * x - x) / L, 1 + shear * (1 - x) - 4 * x + 3 * x * x, 6 * (x - x * x) / L,
       shear * x - 2 * x + 3 * x * x;
   at.curvature << (12 * x - 6) / (L * L), (-4 - shear + 6 * x) / L, (6 - 12 * x) / (L * L),
       (shear - 2 + 6 * x) / L;
   at.deflection /= d;
+  at.slope /= d;
   at.rotation /= d;
   at.curvature /= d;
   return at;
@@ -129,14 +132,7 @@ void BeamLink::add_element(const Element& e) {
     link_.stiffness += length / stiff.axial_compliance * stretch.transpose() * stretch;
     link_.stiffness += length * stiff.bending_stiffness * bend.transpose() * bend;
     if (e.shear > 0.0) {
-      // what deflection and rotation leave of one another is the same all along an element
-      Eigen::RowVector4d slope;
-      const double x2 = x * x, d = 1.0 + e.shear;
-      slope << (-e.shear - 6 * x + 6 * x2) / (d * e.length),
-          (1 + 0.5 * e.shear * (1 - 2 * x) - 4 * x + 3 * x2) / d,
-          (e.shear + 6 * x - 6 * x2) / (d * e.length),
-          (-0.5 * e.shear * (1 - 2 * x) - 2 * x + 3 * x2) / d;
-      const Eigen::RowVectorXd strain = bending_row(e, slope) - rotation;
+      const Eigen::RowVectorXd strain = bending_row(e, at.slope - at.rotation);
       link_.stiffness += length / stiff.shear_compliance * strain.transpose() * strain;
     }
     const SectionInertia mass = inertia_.at(std::min(e.s + x * e.arc, flexure_.axis.length()));

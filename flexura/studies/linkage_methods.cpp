@@ -9,7 +9,6 @@
 namespace flexura {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double settled = 1e-9;  // change over a turn, of the largest displacement
 constexpr int most_passes = 20;   // with the axial forces of the last
 constexpr double same_motion = 1e-9;
@@ -17,13 +16,12 @@ constexpr int transient_stages = 4;
 
 const char* const buckling_remark =
     "axial forces at some angle are beyond what a link bears at rest: it does not buckle in "
-    "passing, "
-    "but linear theory is at its end; modes that damp are those without axial forces";
+    "passing, but linear theory is at its end; modes that damp are those without axial forces";
 
 std::string buckles(double angle) {
   return fmt::format(
-      "a link buckles at {:.4g} degrees of the drive: its axial force there is "
-      "beyond what it bears. A lower speed or load, or a stiffer link, helps",
+      "a link buckles at {:.4g} degrees of the drive: its axial force there is beyond what it "
+      "bears. A lower speed or load, or a stiffer link, helps",
       angle * 180.0 / std::numbers::pi);
 }
 
@@ -56,7 +54,6 @@ class Oscillation {
   }
   /// Where links buckle at rest, modes that damp are those of the elastic stiffness.
   void damp_elastically() { elastic_damping_ = true; }
-  bool damps_elastically() const { return elastic_damping_; }
   OscillationMatrices operator()(double angle) const {
     const auto found = known_.find(angle);
     const Eigen::MatrixXd stiffness = found == known_.end()
@@ -81,7 +78,7 @@ ElasticState by_time(const DriveRate& drive, double speed, const OscillationStat
           w * w * state.second + (speed * speed * drive.rate * drive.slope) * state.first};
 }
 
-LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& /*study*/, double speed) {
+LinkageSolution solve_quasi_static(const LinkageTurn& turn, double speed) {
   LinkageSolution solution;
   for (const double angle : turn.positions()) {
     const LinkageMatrices& m = turn.matrices(angle);

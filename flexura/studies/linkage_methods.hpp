@@ -26,7 +26,7 @@ inline constexpr int periodic_stages = 6;
 /// Of a linkage that is solved to see what its elements leave out: 1e-5 of the strains.
 inline constexpr int estimate_stages = 3;
 
-LinkageSolution solve_quasi_static(LinkageTurn& turn, const LinkageStudy& study, double speed);
+LinkageSolution solve_quasi_static(const LinkageTurn& turn, double speed);
 /// The periodic boundary-value problem.
 LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed,
                                int stages = periodic_stages);

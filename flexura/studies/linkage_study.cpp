@@ -58,6 +58,7 @@ class Linkage {
 
  private:
   bool go_round(Termination& termination);
+  std::string why(const RigidFailure& failure) const;
   LinkageSolution solve(Method method, LinkageTurn& turn) const;
   LinkageMotion solve_and_record(Method method);
   std::optional<double> estimate(Method method, const std::vector<ElasticState>& states);
@@ -76,25 +77,34 @@ class Linkage {
   LinkageResult result_;
 };
 
+std::string Linkage::why(const RigidFailure& failure) const {
+  using Kind = RigidFailure::Kind;
+  if (failure.kind == Kind::ungoverned)
+    return fmt::format(
+        "as drawn, the drive does not govern all links, or they do not fit: every link needs a "
+        "place that follows from the angle of driver '{}'. Rigid links are flexures clamped to the "
+        "same body",
+        result_.driver);
+  return fmt::format(
+      "the drive cannot go round: at {:.4g} degrees from the drawn position {}. Another branch, or "
+      "other lengths, would let it pass",
+      failure.angle / degree,
+      failure.kind == Kind::change_point
+          ? "it comes to a change point, where links are in one line and could go on in two ways, "
+            "or no further"
+          : "the links cannot be closed beyond it");
+}
+
 bool Linkage::go_round(Termination& termination) {
   if (turn_.visit(turn_.positions())) return true;
-  const RigidFailure& failure = *turn_.failure();
-  termination = {
-      Status::stopped,
-      failure.angle == 0.0 && turn_.failure()->reason.find("drive") != std::string::npos
-          ? fmt::format("as drawn, {}: every link needs a place that follows from the angle of "
-                        "driver '{}'. Rigid links are flexures clamped to the same body",
-                        failure.reason, result_.driver)
-          : fmt::format("the drive cannot go round: at {:.4g} degrees from the drawn position {}. "
-                        "Another branch, or other lengths, would let it pass",
-                        failure.angle / degree, failure.reason)};
+  termination = {Status::stopped, why(*turn_.failure())};
   return false;
 }
 
 LinkageSolution Linkage::solve(Method method, LinkageTurn& turn) const {
   switch (method) {
     case Method::quasi_static:
-      return solve_quasi_static(turn, study_, speed_);
+      return solve_quasi_static(turn, speed_);
     case Method::periodic:
       return solve_periodic(turn, study_, speed_);
     case Method::midha:
@@ -143,8 +153,7 @@ void Linkage::note_reductions() {
     if (link.whole_size > link.size())
       result_.notes.push_back(
           fmt::format("'{}' has {} unknowns, of which its ends and its {} lowest vibrations with "
-                      "both ends held "
-                      "are kept",
+                      "both ends held are kept",
                       result_.flexures[k], link.whole_size, link.size() - 6));
   }
 }
@@ -190,6 +199,9 @@ LinkageMotion Linkage::solve_and_record(Method method) {
   const auto start = std::chrono::steady_clock::now();
   LinkageSolution solution = solve(method, turn_);
   motion.termination = solution.termination;
+  // between positions, where methods look more closely
+  if (solution.termination.status == Status::not_run && turn_.failure())
+    motion.termination = {Status::stopped, why(*turn_.failure())};
   motion.unknowns = static_cast<int>(turn_.system().size());
   motion.iterations = solution.iterations;
   motion.counted = solution.counted;

@@ -8,6 +8,7 @@
 
 #include "flexura/studies/linkage_study.hpp"
 #include "tests/support/linkage.hpp"
+#include "tests/support/plane_mesh.hpp"
 
 namespace flexura::testing {
 namespace {
@@ -78,6 +79,44 @@ TEST(LinkageStudies, JointsAreAsGoodAsPinnedEnds) {
   EXPECT_LT(
       distance(jointed.modelings[0].flexures[0].strain, pinned.modelings[0].flexures[0].strain),
       1e-7);
+}
+
+std::vector<double> lowest(const LinkageResult& result, std::size_t count) {
+  const std::vector<double>& all = result.frequencies.front();
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// A thick rod, in which shear matters: Timoshenko's elements, and a plane mesh, against `exact`.
+TEST(LinkageStudies, ThickRodsShear) {
+  const auto machine = [](bool meshed) {
+    Mechanism m;
+    m.material(210e3, 0.3).density(7.85e-9).section(RectangleSection{40.0, 1.0});
+    m.fixed("frame").body("crank").centre({0.0, 0.0});
+    m.body("slider").mass(2e-4).centre({360.0, 0.0});
+    if (meshed) {
+      const auto along = [](Vec2 p) { return Vec2{60.0 + 300.0 * p.x, 40.0 * (p.y - 0.5)}; };
+      m.link("crank", "slider", mapped_link(ElementKind::quad8, 30, 4, along));
+    } else {
+      m.flexure("crank", "slider", LineAxis{{60.0, 0.0}, {360.0, 0.0}});
+    }
+    m.pin_base().pin_action().slide("frame", "slider", {1.0, 0.0});
+    m.turn("crank", 100.0 * rpm, LinearHistory{});
+    return m.model();
+  };
+  LinkageStudy study = beams(12);
+  study.methods = {LinkageStudy::Method::quasi_static};
+  study.rotary_inertia = true;
+  const std::vector<double> stiff = lowest(run(machine(false), study), 2);
+  study.modeling.shear = true;
+  const std::vector<double> elements = lowest(run(machine(false), study), 2);
+  study.modeling.kind = ExactSettings{};
+  const std::vector<double> exact = lowest(run(machine(false), study), 2);
+  const std::vector<double> mesh = lowest(run(machine(true), study), 2);
+  EXPECT_GT(stiff[0] / exact[0], 1.01);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(elements[k] / exact[k], 1.0, 2e-3);
+    EXPECT_NEAR(mesh[k] / exact[k], 1.0, 1e-2);
+  }
 }
 
 TEST(LinkageStudies, ForcesAreThoseOfTheRotatingMasses) {
