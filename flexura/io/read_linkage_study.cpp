@@ -114,6 +114,7 @@ LinkageStudy read_linkage(Reading& reading, const Place& place, const StudyNames
   study.modes = table.integer("modes", study.modes);
   if (const auto midha = table.find("midha")) read_midha(reading, *midha, study);
   study.turns = table.integer("turns", study.turns);
+  if (table.has("turn_from_rest")) study.turn_from_rest = table.integer("turn_from_rest", 1);
   return study;
 }
 

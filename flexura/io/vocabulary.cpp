@@ -222,7 +222,7 @@ const Vocabulary& linkage_study() {
   static const Vocabulary v{
       {"kind", "driver", "loads", "gravity", "positions", "elements", "modeling", "methods",
        "coupling", "geometric_stiffness", "damping", "rotary_inertia", "inertia_correction",
-       "speed_fluctuation", "speeds", "modes", "midha", "turns"},
+       "speed_fluctuation", "speeds", "modes", "midha", "turns", "turn_from_rest"},
       {}};
   return v;
 }

@@ -56,6 +56,8 @@ struct LinkageStudy {
   std::optional<int> midha_modes;  ///< of Midha's method
   Continuity continuity = Continuity::physical;
   int turns = 200;  ///< at most, of the transient
+  /// The turn that `midha` and `transient` show, counted from rest; without, the settled one.
+  std::optional<int> turn_from_rest;
 
   bool uses(Method method) const;
   int elements_of(std::size_t flexure) const;

@@ -120,6 +120,13 @@ struct LinkageRules {
     mistakes.require_between(path / "positions", study.positions, 8, most_positions);
     mistakes.require_between(path / "modes", study.modes, 4, 1000);
     mistakes.require_between(path / "turns", study.turns, 1, 1000000);
+    if (study.turn_from_rest) {
+      mistakes.require_between(path / "turn_from_rest", *study.turn_from_rest, 1, 1000000);
+      if (!study.uses(LinkageStudy::Method::midha) && !study.uses(LinkageStudy::Method::transient))
+        mistakes.add(path / "turn_from_rest",
+                     "a start from rest is shown by methods midha and transient, and this study "
+                     "has neither");
+    }
     if (study.midha_modes)
       mistakes.require_between(path / "midha" / "modes", *study.midha_modes, 1, 1000);
     if (study.methods.empty()) mistakes.add(path / "methods", "a linkage needs a method");

@@ -25,12 +25,10 @@ std::string buckles(double angle) {
       angle * 180.0 / std::numbers::pi);
 }
 
-/// States at the positions out of those at the ends of all intervals. The first has the second
-/// derivative of the last.
+/// States at the positions out of those at the ends of all intervals.
 std::vector<ElasticState> at_positions(const LinkageTurn& turn, double speed,
                                        const std::vector<double>& ends,
-                                       std::vector<OscillationState> states) {
-  states.front().second = states.back().second;
+                                       const std::vector<OscillationState>& states) {
   std::vector<ElasticState> chosen;
   std::size_t k = 0;
   for (const double angle : turn.positions()) {
@@ -38,6 +36,14 @@ std::vector<ElasticState> at_positions(const LinkageTurn& turn, double speed,
     chosen.push_back(by_time(turn.drive(angle), speed, states[k]));
   }
   return chosen;
+}
+
+/// The same of a periodic motion, where the first state has the second derivative of the last.
+std::vector<ElasticState> of_period(const LinkageTurn& turn, double speed,
+                                    const std::vector<double>& ends,
+                                    std::vector<OscillationState> states) {
+  states.front().second = states.back().second;
+  return at_positions(turn, speed, ends, states);
 }
 
 /// Matrices by the angle, with the stiffness of the axial forces that the study wants.
@@ -119,7 +125,7 @@ void pass_until_agreed(LinkageTurn& turn, const std::vector<double>& ends, int s
     const PeriodicOscillation::Periodic periodic = oscillation.solve_periodic();
     solution.iterations += periodic.turns;
     solution.multipliers = periodic.multipliers;
-    solution.states = at_positions(turn, speed, ends, oscillation.states(periodic.start));
+    solution.states = of_period(turn, speed, ends, oscillation.states(periodic.start));
     if (!(periodic.residual < 1e-8)) {
       solution.termination = {Status::stopped,
                               "no periodic motion: a multiplier of Floquet is 1, a resonance "
@@ -159,6 +165,26 @@ LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, dou
   return solution;
 }
 
+namespace {
+
+/// The turn that starts at y, whose second derivative is that of the equation of motion there.
+LinkageSolution show_turn(const LinkageTurn& turn, double speed, const std::vector<double>& ends,
+                          const PeriodicOscillation& oscillation, const Oscillation& matrices,
+                          const Eigen::VectorXd& y, LinkageSolution solution) {
+  std::vector<OscillationState> states = oscillation.states(y);
+  const OscillationMatrices m = matrices(0.0);
+  states.front().second = m.mass.ldlt().solve(m.load - m.damping * states.front().first -
+                                              m.stiffness * states.front().u);
+  ++solution.iterations;
+  solution.states = at_positions(turn, speed, ends, states);
+  solution.termination = {Status::converged, {}};
+  if (!y.allFinite() || !states.back().u.allFinite())
+    solution = {{Status::stopped, "the motion grows beyond all bounds"}, {}, {}, 0, "turns", ""};
+  return solution;
+}
+
+}  // namespace
+
 LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, double speed,
                                 const std::function<bool(double)>& keep_going) {
   LinkageSolution solution;
@@ -175,6 +201,14 @@ LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, do
   const PeriodicOscillation oscillation(ends, transient_stages, matrices);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * oscillation.size());
   y.head(oscillation.size()) = turn.static_displacement(0.0, speed);
+  if (study.turn_from_rest) {
+    for (; solution.iterations + 1 < *study.turn_from_rest; ++solution.iterations) {
+      y = oscillation.advance(y, true);
+      const double done = static_cast<double>(solution.iterations) / *study.turn_from_rest;
+      if (keep_going && !keep_going(done)) return solution;
+    }
+    return show_turn(turn, speed, ends, oscillation, matrices, y, std::move(solution));
+  }
   double change = 1.0;
   for (; solution.iterations < study.turns && change > settled; ++solution.iterations) {
     const Eigen::VectorXd after = oscillation.advance(y, true);
@@ -182,7 +216,7 @@ LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, do
     y = after;
     if (keep_going && !keep_going(static_cast<double>(solution.iterations) / study.turns)) break;
   }
-  solution.states = at_positions(turn, speed, ends, oscillation.states(y));
+  solution.states = of_period(turn, speed, ends, oscillation.states(y));
   solution.termination = {Status::converged, {}};
   if (!std::isfinite(change) || change > settled)
     solution.termination = {

@@ -30,7 +30,8 @@ LinkageSolution solve_quasi_static(const LinkageTurn& turn, double speed);
 /// The periodic boundary-value problem.
 LinkageSolution solve_periodic(LinkageTurn& turn, const LinkageStudy& study, double speed,
                                int stages = periodic_stages);
-/// From rest in the quasi-static position, turn by turn, until nothing changes any more.
+/// From rest in the quasi-static position, turn by turn, until nothing changes any more or the turn
+/// has come that the study wants to see.
 LinkageSolution solve_transient(LinkageTurn& turn, const LinkageStudy& study, double speed,
                                 const std::function<bool(double)>& keep_going);
 /// Midha's intervals of frozen coefficients (Midha, Erdman and Frohrib 1979; Turcic and Midha

@@ -34,6 +34,14 @@ struct ModalState {
   Eigen::VectorXd value, rate;
 };
 
+/// At the ends of all intervals of a turn: states, velocities by the modes, and the start of the
+/// next turn.
+struct TurnMotion {
+  std::vector<ElasticState> states;
+  std::vector<Eigen::VectorXd> rates;
+  ModalState end;
+};
+
 /// The damped oscillator x'' + 2 z w x' + w^2 x = f over a time, in closed form.
 ModalState advance(const FrozenInterval& interval, const ModalState& start, bool loaded) {
   ModalState end{start.value, start.rate};
@@ -76,6 +84,9 @@ class Midha {
   ModalState over_turn(ModalState state, bool loaded) const;
   void factorize_turn();
   ModalState periodic_start() const;
+  ModalState at_rest() const;
+  TurnMotion follow(ModalState state) const;
+  bool settle(const std::optional<ModalState>& start, TurnMotion& motion, int& iterations);
   void load_with(const std::vector<ElasticState>& last, const std::vector<Eigen::VectorXd>& rates);
 
   LinkageTurn& turn_;
@@ -202,6 +213,48 @@ void Midha::load_with(const std::vector<ElasticState>& last,
   }
 }
 
+/// The motion of a turn from its start with the coupling terms of the last iteration.
+TurnMotion Midha::follow(ModalState state) const {
+  TurnMotion motion;
+  for (std::size_t k = 0; k <= intervals_.size(); ++k) {
+    const FrozenInterval& interval = intervals_[k % intervals_.size()];
+    const Eigen::VectorXd u = interval.shapes * state.value;
+    const Eigen::VectorXd v = interval.shapes * state.rate;
+    motion.states.push_back(seen_at(k, u, v));
+    motion.rates.push_back(v);
+    if (k < intervals_.size()) state = carry_over(k, advance(interval, state, true));
+  }
+  motion.end = std::move(state);
+  return motion;
+}
+
+/// A turn with its coupling terms, from this start or, without one, closed upon itself. Whether
+/// they have come to rest.
+bool Midha::settle(const std::optional<ModalState>& start, TurnMotion& motion, int& iterations) {
+  motion = {};
+  for (int i = 0; i < most_iterations; ++i) {
+    ++iterations;
+    TurnMotion now = follow(start ? *start : periodic_start());
+    double size = 0.0, moved = 0.0;
+    for (std::size_t k = 0; k < now.states.size(); ++k) {
+      const Eigen::VectorXd& q = now.states[k].q;
+      size = std::max(size, q.norm());
+      moved = std::max(moved, i == 0 ? q.norm() : (q - motion.states[k].q).norm());
+    }
+    motion = std::move(now);
+    load_with(motion.states, motion.rates);
+    if (!study_.coupling || moved <= agreed * std::max(size, 1e-300)) return true;
+  }
+  return false;
+}
+
+/// At rest in the quasi-static position, as far as the modes have it.
+ModalState Midha::at_rest() const {
+  const Eigen::VectorXd u = turn_.static_displacement(ends_.front(), speed_);
+  const FrozenInterval& first = intervals_.front();
+  return {first.weighted.transpose() * u, Eigen::VectorXd::Zero(first.frequency.size())};
+}
+
 LinkageSolution Midha::solve() {
   LinkageSolution solution;
   solution.counted = "iterations of the coupling terms";
@@ -213,40 +266,25 @@ LinkageSolution Midha::solve() {
                                        *buckled_ * 180.0 / std::numbers::pi)};
     return solution;
   }
-  factorize_turn();
-  std::vector<ElasticState> states;
-  std::vector<Eigen::VectorXd> rates;
-  double change = 1.0;
-  for (; solution.iterations < most_iterations && change > agreed; ++solution.iterations) {
-    ModalState state = periodic_start();
-    std::vector<ElasticState> now;
-    std::vector<Eigen::VectorXd> now_rates;
-    for (std::size_t k = 0; k <= intervals_.size(); ++k) {
-      const FrozenInterval& interval = intervals_[k % intervals_.size()];
-      const Eigen::VectorXd u = interval.shapes * state.value;
-      const Eigen::VectorXd v = interval.shapes * state.rate;
-      now.push_back(seen_at(k, u, v));
-      now_rates.push_back(v);
-      if (k < intervals_.size()) state = carry_over(k, advance(interval, state, true));
+  TurnMotion motion;
+  bool at_peace = true;
+  if (study_.turn_from_rest) {
+    std::optional<ModalState> start = at_rest();
+    for (int turn = 0; turn < *study_.turn_from_rest && at_peace; ++turn) {
+      at_peace = settle(start, motion, solution.iterations);
+      start = motion.end;
     }
-    double size = 0.0, moved = 0.0;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      size = std::max(size, now[k].q.norm());
-      moved = std::max(moved, states.empty() ? now[k].q.norm() : (now[k].q - states[k].q).norm());
-    }
-    change = moved / std::max(size, 1e-300);
-    states = std::move(now);
-    rates = std::move(now_rates);
-    if (!study_.coupling) change = 0.0;
-    load_with(states, rates);
+  } else {
+    factorize_turn();
+    at_peace = settle({}, motion, solution.iterations);
   }
   std::size_t k = 0;
   for (const double angle : turn_.positions()) {
     while (k + 1 < ends_.size() && std::abs(ends_[k] - angle) > 1e-10) ++k;
-    solution.states.push_back(states[k]);
+    solution.states.push_back(motion.states[k]);
   }
   solution.termination = {Status::converged, {}};
-  if (!(change <= agreed))
+  if (!at_peace)
     solution.termination = {Status::stopped,
                             "the iteration of the coupling terms does not come to rest: at this "
                             "speed they are no small correction. Method periodic solves for them"};

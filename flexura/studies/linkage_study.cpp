@@ -206,6 +206,9 @@ LinkageMotion Linkage::solve_and_record(Method method) {
   motion.iterations = solution.iterations;
   motion.counted = solution.counted;
   motion.remark = solution.remark;
+  if (study_.turn_from_rest && (method == Method::midha || method == Method::transient))
+    motion.remark += fmt::format("{}turn {} from rest, not the settled one",
+                                 motion.remark.empty() ? "" : "; ", *study_.turn_from_rest);
   motion.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (solution.states.empty()) return motion;
   record_elastic_motion(model_, study_, turn_, solution.states, motion);
