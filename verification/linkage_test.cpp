@@ -181,8 +181,7 @@ TEST(FourBarMethods, MidhaConvergesToAPlateau) {
 }
 
 /// From rest, after many turns, what is left of the start has died out: with 2 % of critical
-/// damping
-/// the first mode loses more than nine tenths of its amplitude in every ten turns.
+/// damping the first mode loses more than nine tenths of its amplitude in every ten turns.
 TEST(FourBarMethods, TurnsFromRestTendToThePeriodicMotion) {
   using Method = LinkageStudy::Method;
   FourBar bar(1);
