@@ -117,6 +117,7 @@ PathStudy read_path(Reading& reading, const Place& place, const StudyNames& name
   }
   read_surroundings(table, study.fields);
   study.steps = table.integer("steps", study.steps);
+  study.estimate = table.boolean("estimate", study.estimate);
   read_control(reading, table, study);
   if (const auto stage = table.find("stage")) study.stage = read_stage(reading, *stage, names);
   if (const auto condense = table.find("condense"))

@@ -157,7 +157,7 @@ const Vocabulary& linear_study() {
 const Vocabulary& path_study() {
   static const Vocabulary v{
       {"kind", "loads", "gravity", "temperature", "surroundings", "prescribe", "control", "until",
-       "branch", "steps", "stage", "condense", "fields", "modelings", "reference"},
+       "branch", "steps", "stage", "condense", "fields", "estimate", "modelings", "reference"},
       {}};
   return v;
 }

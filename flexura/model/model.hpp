@@ -151,6 +151,7 @@ struct PathStudy {
   std::vector<std::size_t> condense;  ///< bodies whose condensed stiffness is wanted
   KeptFields stress_fields = KeptFields::last;
   int steps = 20;
+  bool estimate = true;  ///< of errors; modelings that choose their modes by it have it anyway
   std::vector<ModelingSettings> modelings;
   std::size_t reference = 0;  ///< index into modelings: what the others are compared with
 };

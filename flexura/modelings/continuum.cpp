@@ -88,7 +88,6 @@ void ContinuumPort::assemble(std::size_t side, const Density& density, const Str
   ElementTangent tangent;
   ElementAssembly<Nodes, Density> element(mesh, density);
   for (std::size_t ex = half.first_element; ex < half.end_element; ++ex) {
-    const bool at_face = half.reversed ? ex + 1 == mesh.along : ex == 0;
     for (std::size_t ey = 0; ey < mesh.across; ++ey) {
       const std::size_t e = mesh.element(ex, ey);
       for (std::size_t a = 0; a < per; ++a) here[a] = places[mesh.element_node(ex, ey, a)];
@@ -105,31 +104,35 @@ void ContinuumPort::assemble(std::size_t side, const Density& density, const Str
         element.assemble(e, state, nullptr, tangent, gaps);
       }
       work.energy[side] += tangent.energy;
-      if (at_face)
-        add_face_element(side, ex, ey, tangent, face, work.scratch);
-      else
-        add_element(side, ex, ey, tangent, work.scratch);
+      add_element(side, ex, ey, tangent, work.scratch);
+      if (at_face(side, ex)) add_face(side, ex, ey, tangent, face, work.scratch);
     }
   }
 }
 
-/// An element none of whose nodes is on a face. Unknowns are displacements over the length.
+std::pair<std::size_t, std::size_t> ContinuumPort::free_nodes(std::size_t side,
+                                                              std::size_t ex) const {
+  const StripMesh& mesh = strip_->mesh;
+  const std::size_t per = mesh.nodes_per_element();
+  const std::size_t in_column = mesh.cross_line.order() + 1;
+  if (!at_face(side, ex)) return {0, per};
+  return sides_[side].reversed ? std::pair{std::size_t{0}, per - in_column}
+                               : std::pair{in_column, per};
+}
+
+/// What is between nodes that are not on the face. Unknowns are displacements over the length.
 void ContinuumPort::add_element(std::size_t side, std::size_t ex, std::size_t ey,
                                 const ElementTangent& tangent, double* scratch) const {
   const StripMesh& mesh = strip_->mesh;
   const StripSide& half = sides_[side];
   const std::size_t per = mesh.nodes_per_element();
-  const std::size_t in_column = mesh.cross_line.order() + 1;
   const double length = mesh.length;
   const double square = length * length;
   double* matrix = scratch + at_[side].matrix;
   double* forces = scratch + at_[side].sides;
-  const auto first = [&](std::size_t a) {
-    return half.unknown(ex * mesh.line.order() + a / in_column,
-                        ey * mesh.cross_line.order() + a % in_column);
-  };
-  for (std::size_t a = 0; a < per; ++a) {
-    const std::size_t i = first(a);
+  const auto [begin, end] = free_nodes(side, ex);
+  for (std::size_t a = begin; a < end; ++a) {
+    const std::size_t i = unknown_of(side, ex, ey, a);
     forces[columns(side) * i] += length * tangent.forces[2 * a];
     forces[columns(side) * (i + 1)] += length * tangent.forces[2 * a + 1];
     double* row_x = half.shape.row(matrix, i);
@@ -139,8 +142,8 @@ void ContinuumPort::add_element(std::size_t side, std::size_t ex, std::size_t ey
     row_x[i] += square * k_x[2 * a];
     row_y[i] += square * k_y[2 * a];
     row_y[i + 1] += square * k_y[2 * a + 1];
-    for (std::size_t b = 0; b < a; ++b) {
-      const std::size_t j = first(b);
+    for (std::size_t b = begin; b < a; ++b) {
+      const std::size_t j = unknown_of(side, ex, ey, b);
       if (j < i) {
         row_x[j] += square * k_x[2 * b];
         row_x[j + 1] += square * k_x[2 * b + 1];
@@ -158,55 +161,44 @@ void ContinuumPort::add_element(std::size_t side, std::size_t ex, std::size_t ey
   }
 }
 
-/// An element at the end face, whose nodes move with the unknowns of the face.
-void ContinuumPort::add_face_element(std::size_t side, std::size_t ex, std::size_t ey,
-                                     const ElementTangent& tangent, const StripFace& face,
-                                     double* scratch) const {
+/// What nodes on the end face, which move with its unknowns, have among themselves and with the
+/// others of an element.
+void ContinuumPort::add_face(std::size_t side, std::size_t ex, std::size_t ey,
+                             const ElementTangent& tangent, const StripFace& face,
+                             double* scratch) const {
   const StripMesh& mesh = strip_->mesh;
   const StripSide& half = sides_[side];
-  const std::size_t per = mesh.nodes_per_element();
+  const std::size_t size = 2 * mesh.nodes_per_element();
   const std::size_t in_column = mesh.cross_line.order() + 1;
-  const std::size_t faces = face.unknowns();
-  const auto n = static_cast<Eigen::Index>(2 * per);
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(faces) + n);
-  Eigen::MatrixXd second =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(faces), static_cast<Eigen::Index>(faces));
-  std::vector<std::size_t> unknowns(faces);
-  for (std::size_t i = 0; i < faces; ++i) unknowns[i] = i;
-  for (std::size_t a = 0; a < per; ++a) {
-    const std::size_t column = ex * mesh.line.order() + a / in_column;
-    const std::size_t row = ey * mesh.cross_line.order() + a % in_column;
-    const auto x = static_cast<Eigen::Index>(2 * a);
-    if (half.depth(column) > 0) {
-      const auto at = static_cast<Eigen::Index>(unknowns.size());
-      slopes(x, at) = slopes(x + 1, at + 1) = mesh.length;
-      unknowns.push_back(half.unknown(column, row));
-      unknowns.push_back(unknowns.back() + 1);
-      continue;
+  const std::size_t first = half.reversed ? mesh.nodes_per_element() - in_column : 0;
+  const auto stiffness = [&](std::size_t r, std::size_t c) {
+    return tangent.stiffness[r >= c ? r * size + c : c * size + r];
+  };
+  const auto [begin, end] = free_nodes(side, ex);
+  std::vector<double> forces(size);  // on all nodes, as one unknown of the face moves by 1
+  for (std::size_t i = 0; i < face.unknowns(); ++i) {
+    std::fill(forces.begin(), forces.end(), 0.0);
+    double own = 0.0;
+    for (std::size_t c = 0; c < in_column; ++c) {
+      const std::size_t x = 2 * (first + c);
+      const Vec2 slope = face.slope(ey * mesh.cross_line.order() + c, i);
+      own += slope.x * tangent.forces[x] + slope.y * tangent.forces[x + 1];
+      for (std::size_t r = 0; r < size; ++r)
+        forces[r] += slope.x * stiffness(r, x) + slope.y * stiffness(r, x + 1);
     }
-    const Vec2 force{tangent.forces[2 * a], tangent.forces[2 * a + 1]};
-    for (std::size_t i = 0; i < faces; ++i) {
-      slopes(x, static_cast<Eigen::Index>(i)) = face.slope(row, i).x;
-      slopes(x + 1, static_cast<Eigen::Index>(i)) = face.slope(row, i).y;
-      for (std::size_t j = 0; j < faces; ++j)
-        second(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
+    scratch[at_[side].sides + columns(side) * i] += own;
+    for (std::size_t b = begin; b < end; ++b) {
+      const std::size_t j = unknown_of(side, ex, ey, b);
+      half.shape.row(scratch + at_[side].matrix, j)[i] += mesh.length * forces[2 * b];
+      half.shape.row(scratch + at_[side].matrix, j + 1)[i] += mesh.length * forces[2 * b + 1];
+    }
+    for (std::size_t c = 0; c < in_column; ++c) {
+      const std::size_t row = ey * mesh.cross_line.order() + c, x = 2 * (first + c);
+      const Vec2 force{tangent.forces[x], tangent.forces[x + 1]};
+      for (std::size_t j = i; j < face.unknowns(); ++j)
+        half.shape.row(scratch + at_[side].matrix, j)[i] +=
+            dot(Vec2{forces[x], forces[x + 1]}, face.slope(row, j)) +
             dot(force, face.second(row, i, j));
-    }
-  }
-  const auto m = static_cast<Eigen::Index>(unknowns.size());
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
-      stiffness(tangent.stiffness.data(), n, n);
-  const Eigen::MatrixXd used = slopes.leftCols(m);
-  Eigen::MatrixXd k = used.transpose() * (stiffness.selfadjointView<Eigen::Lower>() * used);
-  k.topLeftCorner(second.rows(), second.cols()) += second;
-  const Eigen::VectorXd force =
-      used.transpose() * Eigen::Map<const Eigen::VectorXd>(tangent.forces.data(), n);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const std::size_t row = unknowns[static_cast<std::size_t>(i)];
-    scratch[at_[side].sides + columns(side) * row] += force[i];
-    for (Eigen::Index j = 0; j < m; ++j) {
-      const std::size_t column = unknowns[static_cast<std::size_t>(j)];
-      if (column <= row) half.shape.row(scratch + at_[side].matrix, row)[column] += k(i, j);
     }
   }
 }

@@ -53,7 +53,7 @@ class ContinuumMotionPort final : public MotionPort {
   std::vector<double> adopt(std::span<const SectionState> sections,
                             std::span<const double> internal) const override;
   std::shared_ptr<const MotionPort> refined() const override {
-    auto finer = finer_strip(*strip_);
+    auto finer = strip_->finer();
     return finer ? std::make_shared<ContinuumMotionPort>(std::move(finer), density_) : nullptr;
   }
   void prolong(std::span<const double> internal, std::span<double> refined) const override;
@@ -335,7 +335,7 @@ std::vector<double> ContinuumMotionPort::adopt(std::span<const SectionState> /*s
 
 void ContinuumMotionPort::prolong(std::span<const double> internal,
                                   std::span<double> refined) const {
-  const auto finer = finer_strip(*strip_);
+  const auto finer = strip_->finer();
   const std::vector<Vec2> moved = strip_displacements(*strip_, internal.data() + nodes_,
                                                       internal.data(), internal.data() + tip_);
   std::fill(refined.begin(), refined.end(), 0.0);

@@ -163,7 +163,9 @@ std::vector<SectionState> strip_sections(const StripMesh& mesh, const StationGri
   return states;
 }
 
-std::shared_ptr<const ContinuumStrip> finer_strip(const ContinuumStrip& strip) {
+namespace {
+
+std::shared_ptr<const ContinuumStrip> make_finer(const ContinuumStrip& strip) {
   constexpr std::size_t largest = 40000;
   const StripMesh& mesh = strip.mesh;
   if (strip.unknowns.enhanced > largest) return nullptr;
@@ -183,12 +185,19 @@ std::shared_ptr<const ContinuumStrip> finer_strip(const ContinuumStrip& strip) {
   return std::make_shared<ContinuumStrip>(strip.shape, strip.material, finer, strip.tolerance);
 }
 
+}  // namespace
+
+std::shared_ptr<const ContinuumStrip> ContinuumStrip::finer() const {
+  std::call_once(finer_made_, [this] { finer_ = make_finer(*this); });
+  return finer_;
+}
+
 double strip_error_ratio(const StripMesh& mesh) {
   return mesh.line.order() == 1 && mesh.cross_line.order() == 1 ? 4.0 / 3.0 : 1.0;
 }
 
 std::shared_ptr<const TwoPort> ContinuumPort::refined() const {
-  auto finer = finer_strip(*strip_);
+  auto finer = strip_->finer();
   return finer ? std::make_shared<ContinuumPort>(std::move(finer)) : nullptr;
 }
 
@@ -209,7 +218,7 @@ void prolong_nodes(const StripMesh& mesh, const std::vector<Vec2>& moved,
 /// Displacements through the nodes, strains through the quadrature points; enhanced strains start
 /// anew. All linear, so that slopes are prolonged likewise.
 void ContinuumPort::prolong(std::span<const double> internal, std::span<double> refined) const {
-  const auto finer = finer_strip(*strip_);
+  const auto finer = strip_->finer();
   const ContinuumStrip& fine = *finer;
   std::fill(refined.begin(), refined.end(), 0.0);
   prolong_nodes(strip_->mesh, displacements(*strip_, internal), fine, refined);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <variant>
 #include <vector>
@@ -47,10 +48,18 @@ struct ContinuumStrip {
   StripFace action_face;
   ContinuumUnknowns unknowns;
 
+  /// Elements of order 1 halved both ways; others of an order more. Made once, when first asked
+  /// for. Null where that would take more than it is worth.
+  std::shared_ptr<const ContinuumStrip> finer() const;
+
   std::size_t elements() const { return mesh.along * mesh.across; }
   std::size_t face_unknowns(std::size_t side) const {
     return side == 0 ? base_face.unknowns() : action_face.unknowns();
   }
+
+ private:
+  mutable std::once_flag finer_made_;
+  mutable std::shared_ptr<const ContinuumStrip> finer_;
 };
 
 /// Displacements of all nodes, by those of the nodes between the faces (numbered as
@@ -69,9 +78,6 @@ std::vector<SectionState> strip_sections(const StripMesh& mesh, const StationGri
                                          const std::vector<Vec2>& moved, Vec2 tip,
                                          const Eigen::Vector3d& load);
 
-/// Elements of order 1 halved both ways; others of an order more. Null where that would take more
-/// than it is worth.
-std::shared_ptr<const ContinuumStrip> finer_strip(const ContinuumStrip& strip);
 /// As TwoPort::error_ratio.
 double strip_error_ratio(const StripMesh& mesh);
 /// Displacements of the nodes of a finer mesh, over the length, from those of all nodes of `mesh`.
@@ -117,9 +123,18 @@ class ContinuumPort final : public TwoPort {
                       Work& work) const;
   void add_element(std::size_t side, std::size_t ex, std::size_t ey, const ElementTangent& tangent,
                    double* scratch) const;
-  void add_face_element(std::size_t side, std::size_t ex, std::size_t ey,
-                        const ElementTangent& tangent, const StripFace& face,
-                        double* scratch) const;
+  void add_face(std::size_t side, std::size_t ex, std::size_t ey, const ElementTangent& tangent,
+                const StripFace& face, double* scratch) const;
+  bool at_face(std::size_t side, std::size_t ex) const {
+    return sides_[side].reversed ? ex + 1 == strip_->mesh.along : ex == 0;
+  }
+  /// First unknown of an element's node that is not on the face.
+  std::size_t unknown_of(std::size_t side, std::size_t ex, std::size_t ey, std::size_t a) const {
+    const std::size_t q = strip_->mesh.cross_line.order();
+    return sides_[side].unknown(ex * strip_->mesh.line.order() + a / (q + 1), ey * q + a % (q + 1));
+  }
+  /// Nodes of an element that are not on the end face: from the first to behind the last.
+  std::pair<std::size_t, std::size_t> free_nodes(std::size_t side, std::size_t ex) const;
   bool meet(Work& work, TipResponse& response) const;
   void solve_side(std::size_t side, const double* scratch, double residual,
                   const Eigen::Vector3d& load, double* step) const;

@@ -32,6 +32,7 @@ class ArcTracer {
       path_.systems.back() = std::move(finer_);
       finer_ = path_.systems.back()->refined();
     }
+    if (!study.estimate && !chooses_modes(settings)) finer_.reset();
   }
 
   TracedPath run(const Model& model, const std::function<bool(double)>& keep_going);

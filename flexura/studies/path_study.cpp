@@ -73,7 +73,8 @@ ModelingPath run_path(const Model& model, const PathStudy& study, const Modeling
   const TracedPath traced =
       study.arc_length ? trace_by_arc_length(model, study, settings, keep_going)
                        : trace_path(model, study.loads, settings,
-                                    {study.steps, true, keep_going, study.prescribe, study.fields});
+                                    {study.steps, study.estimate || chooses_modes(settings),
+                                     keep_going, study.prescribe, study.fields});
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
 
   ModelingPath path;

@@ -274,7 +274,7 @@ Termination PathTracer::singular_start() {
 
 }  // namespace
 
-double algebraic_tolerance(double tolerance) { return std::clamp(1e-2 * tolerance, 1e-13, 1e-9); }
+double algebraic_tolerance(double tolerance) { return std::clamp(1e-2 * tolerance, 1e-13, 1e-6); }
 
 bool chooses_modes(const ModelingSettings& settings) {
   const auto* exact = std::get_if<ExactSettings>(&settings.kind);
