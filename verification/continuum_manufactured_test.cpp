@@ -23,7 +23,7 @@ struct ChosenField {
 };
 
 ChosenField chosen(Vec2 at) {
-  constexpr double size = 0.1, wave = 1.5;
+  constexpr double size = 0.05, wave = 3.0;
   const double sx = std::sin(wave * at.x + 0.3), cx = std::cos(wave * at.x + 0.3);
   const double sy = std::sin(wave * at.y - 0.4), cy = std::cos(wave * at.y - 0.4);
   return {size * Vec2{sx * cy, cx + sy},
@@ -208,12 +208,13 @@ double error(const Density& density, int order, int fineness, bool enhanced = tr
 template <class Density>
 void expect_theoretical_orders(const Density& density, const std::string& name) {
   for (int order = 1; order <= 8; ++order) {
-    const int coarse = order < 3 ? 8 : order < 5 ? 4 : order < 7 ? 2 : 1;
+    const int coarse = order < 3 ? 8 : order < 7 ? 4 : 3;
     const double fine = error(density, order, 2 * coarse);
     const double observed = std::log2(error(density, order, coarse) / fine);
     note_measured(name + "_order_" + std::to_string(order), observed);
+    note_measured(name + "_error_" + std::to_string(order), fine);
     EXPECT_GT(fine, 1e-13) << "rounding";
-    EXPECT_NEAR(observed, order + 1.0, 0.3) << name << ", elements of order " << order;
+    EXPECT_NEAR(observed, order + 1.0, 0.15) << name << ", elements of order " << order;
   }
 }
 
