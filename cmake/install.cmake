@@ -6,6 +6,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS flexura_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 install(FILES LICENSE README.md CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+install(FILES cmake/debian_copyright
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT command)
 install(DIRECTORY docs examples schema DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command
         PATTERN tables EXCLUDE PATTERN "*.results" EXCLUDE)
 

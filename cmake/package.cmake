@@ -13,12 +13,12 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME flexura)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-set(CPACK_COMPONENT_COMMAND_DESCRIPTION
-    "Analysis of compliant mechanisms and elastic linkages
- Flexura analyses planar mechanisms that move because they bend: flexure
- stages, grippers, monolithic four-bars, bistable beams and elastic linkages;
- at rest, vibrating and in motion. One model file goes in; every modeling the
- field knows comes out side by side, as CSV and JSON files and one HTML report.")
+# The project's description comes first, as the short one.
+set(CPACK_DEBIAN_COMMAND_DESCRIPTION
+    "Flexura analyses flexure stages, grippers, monolithic four-bars, bistable
+beams and elastic linkages; at rest, vibrating and in motion. One model file
+goes in; every modeling the field knows comes out side by side, as CSV and JSON
+files and as one HTML report.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libflexura-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -26,9 +26,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libtomlplusplus-dev, libmuparser-dev, \
 libtbb-dev, liblapack-dev, pkg-config")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-    "Library of Flexura, static, with headers
- Reads models of planar compliant mechanisms and elastic linkages, runs their
- studies and writes results. For CMake: find_package(flexura).")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+    "The static library and headers of Flexura, which reads models of compliant
+mechanisms and elastic linkages, runs their studies and writes results. For
+CMake: find_package(flexura).")
 
 include(CPack)
