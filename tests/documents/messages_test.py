@@ -11,14 +11,14 @@ import pathlib
 import re
 import sys
 
-ROW = re.compile(r"^\| `(.*?)` \| ", re.M)
+ROW = re.compile(r"^\| (`+) ?(.*?) ?\1 \| ", re.M)
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 JOINED = re.compile(r'(?<!\\)"\s*(?://[^\n]*)?\s*"')
-ESCAPES = {r"\"": '"', r"\'": "'", r"\n": "\n", r"\\": "\\", r"\`": "`"}
+ESCAPES = {r"\"": '"', r"\'": "'", r"\n": "\n", r"\\": "\\"}
 
 
 def unescaped(text):
-    return re.sub(r"\\[\"'n\\`]", lambda found: ESCAPES[found.group(0)], text)
+    return re.sub(r"\\[\"'n\\]", lambda found: ESCAPES[found.group(0)], text)
 
 
 def texts(top):
@@ -40,7 +40,7 @@ def without_fields(text):
 
 
 def pieces(message):
-    return [piece for piece in unescaped(message).split("…") if re.search(r"\w{2}", piece)]
+    return [piece for piece in message.split("…") if re.search(r"\w{2}", piece)]
 
 
 def missing(message, printed):
@@ -54,7 +54,7 @@ def missing(message, printed):
 def main():
     document, top = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     printed = [without_fields(text) for text in texts(top)]
-    messages = ROW.findall(document.read_text())
+    messages = [row[1] for row in ROW.findall(document.read_text())]
     wrong = [(message, missing(message, printed)) for message in messages]
     wrong = [(message, lost) for message, lost in wrong if lost]
     for message, lost in wrong:
