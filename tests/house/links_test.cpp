@@ -8,6 +8,8 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/house/rules.hpp"
 
@@ -103,6 +105,28 @@ TEST(Links, LeadSomewhere) {
           << name << ": " << link.file << "#" << link.part;
     }
   }
+}
+
+/// Documents that can be reached from one, itself included, by following links.
+std::set<std::string> reached_from(const std::string& document) {
+  std::set<std::string> found = {document};
+  std::vector<std::string> ahead = {document};
+  while (!ahead.empty()) {
+    const std::string name = ahead.back();
+    ahead.pop_back();
+    for (const Link& link : local_links(read_text(name))) {
+      const fs::path target = (fs::path(name).parent_path() / link.file).lexically_normal();
+      const bool exists = fs::exists(fs::path(FLEXURA_SOURCE_DIR) / target);
+      if (link.file.empty() || target.extension() != ".md" || !exists) continue;
+      if (found.insert(target.generic_string()).second) ahead.push_back(target.generic_string());
+    }
+  }
+  return found;
+}
+
+TEST(Links, LeadFromTheReadmeToEveryDocument) {
+  const std::set<std::string> reached = reached_from("README.md");
+  for (const std::string& name : documents()) EXPECT_TRUE(reached.contains(name)) << name;
 }
 
 }  // namespace
