@@ -1,12 +1,14 @@
 """What the tests of a report share: the page in headless Chromium, and what readers do with it.
 
 A test is called as: NAME_test.py REPORT.html [--screenshots FOLDER]
-Exit status 77 where chromium or chromedriver is not installed, which ctest counts as skipped.
+Exit status 77 where chromium or chromedriver is not installed, or localhost has no address, which
+ctest counts as skipped.
 """
 
 import argparse
 import pathlib
 import shutil
+import socket
 import sys
 import time
 import unittest
@@ -144,16 +146,27 @@ def take_screenshots(folder):
                 browser.screenshot(folder / f"{number}_{plain}_{theme}.png")
 
 
+def hindrance():
+    """Why no browser can be driven here; empty if one can."""
+    missing = [tool for tool in ("chromium", "chromedriver") if shutil.which(tool) is None]
+    if missing:
+        return (f"{' and '.join(missing)} not installed "
+                "(Debian packages chromium, chromium-driver)")
+    try:
+        socket.getaddrinfo("localhost", None)
+    except OSError:  # as in a fresh chroot; the driver then does not reach its browser
+        return "the name localhost is unknown (a line '127.0.0.1 localhost' in /etc/hosts)"
+    return ""
+
+
 def main(module, description):
     global report
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("report", type=pathlib.Path)
     parser.add_argument("--screenshots", type=pathlib.Path)
     options = parser.parse_args()
-    missing = [tool for tool in ("chromium", "chromedriver") if shutil.which(tool) is None]
-    if missing:
-        print(f"skipped: {' and '.join(missing)} not installed "
-              "(Debian packages chromium, chromium-driver)")
+    if hindrance():
+        print(f"skipped: {hindrance()}")
         return SKIPPED
     report = options.report.resolve(strict=True)
     if options.screenshots:

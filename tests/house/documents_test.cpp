@@ -1,7 +1,8 @@
-// What the documents promise, as far as a program can tell: links lead somewhere, models are
-// valid, and every package that the scripts install is accounted for.
+// What the documents promise, as far as a program can tell: models are valid, every package that
+// the scripts install is accounted for, the manual page has every option, and there is one version.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -22,25 +23,6 @@ std::vector<std::string> matches(const std::string& text, const std::string& pat
   return found;
 }
 
-/// Targets of Markdown links and pictures within the checkout, without their #section.
-std::vector<std::string> local_links(const std::string& text) {
-  std::vector<std::string> links;
-  for (const std::string& link : matches(text, R"(\]\(([^)#\s]+)[^)]*\))")) {
-    if (link.find(':') == std::string::npos) links.push_back(link);
-  }
-  return links;
-}
-
-std::vector<fs::path> documents() {
-  const fs::path top = FLEXURA_SOURCE_DIR;
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(top))
-    if (entry.path().extension() == ".md") found.push_back(entry.path());
-  for (const auto& entry : fs::recursive_directory_iterator(top / "docs"))
-    if (entry.path().extension() == ".md") found.push_back(entry.path());
-  return found;
-}
-
 /// The names in the arrays `.._packages=( .. )` of scripts/setup.sh.
 std::vector<std::string> installed_packages() {
   std::vector<std::string> packages;
@@ -50,20 +32,6 @@ std::vector<std::string> installed_packages() {
       packages.push_back(package);
   }
   return packages;
-}
-
-TEST(Documents, LinksAreRecognised) {
-  EXPECT_EQ(local_links("[a](docs/a.md#top) ![b](b.png \"title\") [c](https://c.org) [d](#d)"),
-            (std::vector<std::string>{"docs/a.md", "b.png"}));
-}
-
-TEST(Documents, LinksLeadSomewhere) {
-  ASSERT_FALSE(documents().empty());
-  for (const fs::path& document : documents()) {
-    const std::string name = document.lexically_relative(FLEXURA_SOURCE_DIR).generic_string();
-    for (const std::string& link : local_links(read_text(name)))
-      EXPECT_TRUE(fs::exists(document.parent_path() / link)) << name << " links to " << link;
-  }
 }
 
 /// The complete models among a document's TOML blocks.
@@ -79,8 +47,7 @@ TEST(Documents, ModelsAreRecognised) {
 TEST(Documents, ModelsAreValid) {
   const fs::path folder = fs::path(testing::TempDir()) / "flexura_documents";
   fs::create_directories(folder);
-  for (const fs::path& document : documents()) {
-    const std::string name = document.lexically_relative(FLEXURA_SOURCE_DIR).generic_string();
+  for (const std::string& name : documents()) {
     for (const std::string& model : models(read_text(name))) {
       const fs::path file = folder / "model.toml";
       std::ofstream(file) << model;
@@ -99,6 +66,36 @@ TEST(Documents, EveryInstalledPackageIsAccountedFor) {
     EXPECT_NE(text.find("`" + package + "`"), std::string::npos)
         << package << " is missing in docs/dependencies.md";
   }
+}
+
+/// What a command prints on standard output.
+std::string output_of(const std::string& command) {
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {};
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+  pclose(pipe);
+  return text;
+}
+
+TEST(Documents, ManualPageHasEveryOption) {
+  std::string page = read_text("apps/flexura/flexura.1.in");
+  std::erase(page, '\\');
+  for (const char* command : {"", "run", "check", "new"}) {
+    const std::string help =
+        output_of("'" FLEXURA_EXECUTABLE "' " + std::string(command) + " --help");
+    const std::vector<std::string> options = matches(help, "(--[a-z]+)");
+    ASSERT_FALSE(options.empty()) << help;
+    for (const std::string& option : options)
+      EXPECT_NE(page.find(option), std::string::npos) << option << " of flexura " << command;
+  }
+}
+
+TEST(Documents, ThereIsOneVersion) {
+  const std::string version =
+      matches(read_text("CMakeLists.txt"), R"(project\(flexura VERSION (\S+))").at(0);
+  EXPECT_EQ(output_of("'" FLEXURA_EXECUTABLE "' --version"), "flexura " + version + "\n");
+  EXPECT_EQ(matches(read_text("CHANGELOG.md"), R"(\n## \[(\d[^\]]*)\])").at(0), version);
 }
 
 }  // namespace

@@ -137,6 +137,19 @@ std::vector<std::string> sources_in(const std::vector<std::string>& folders) {
   return files;
 }
 
+std::vector<std::string> documents() {
+  const std::filesystem::path top = FLEXURA_SOURCE_DIR;
+  std::vector<std::string> found;
+  const auto note = [&](const std::filesystem::directory_entry& entry) {
+    if (entry.path().extension() == ".md")
+      found.push_back(entry.path().lexically_relative(top).generic_string());
+  };
+  for (const auto& entry : std::filesystem::directory_iterator(top)) note(entry);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(top / "docs")) note(entry);
+  std::ranges::sort(found);
+  return found;
+}
+
 std::string read_text(const std::string& file) {
   std::ifstream stream(std::filesystem::path(FLEXURA_SOURCE_DIR) / file, std::ios::binary);
   if (!stream) throw std::runtime_error("cannot read " + file);

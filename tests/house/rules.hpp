@@ -22,6 +22,9 @@ Offences hygiene_offences(std::string_view file, std::string_view text);
 /// C++ sources in the named folders of the checkout, as paths from its top.
 std::vector<std::string> sources_in(const std::vector<std::string>& folders);
 
+/// Markdown documents at the top of the checkout and in its docs, as paths from its top.
+std::vector<std::string> documents();
+
 /// Text of a file, by its path from the top of the checkout.
 std::string read_text(const std::string& file);
 
