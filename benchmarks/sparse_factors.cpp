@@ -85,7 +85,7 @@ double mumps_seconds(const Matrix& matrix) {
 
 int main() {
   fmt::print("{:>10} {:>14} {:>10} {:>7}\n", "unknowns", "simplicial, s", "MUMPS, s", "ratio");
-  for (const auto [columns, rows] : {std::pair{30, 30}, {100, 60}, {200, 100}, {400, 100}}) {
+  for (const auto& [columns, rows] : {std::pair{30, 30}, {100, 60}, {200, 100}, {400, 100}}) {
     const Matrix matrix = grid_matrix(columns, rows);
     const double own = simplicial_seconds(matrix), other = mumps_seconds(matrix);
     fmt::print("{:>10} {:>14.4f} {:>10.4f} {:>7.2f}\n", matrix.rows(), own, other, own / other);
