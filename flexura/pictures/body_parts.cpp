@@ -75,18 +75,6 @@ std::string bodies_text(const Sheet& sheet, const std::vector<Frame>& frames, bo
 
 }  // namespace
 
-bool turns_on_the_spot(const Sheet& sheet, std::size_t body) {
-  const Frame& first = sheet.course.frames.front();
-  const Pose& start = first.bodies[body].at;
-  bool turns = false;
-  for (const Frame& frame : sheet.course.frames) {
-    const Pose& now = frame.bodies[body].at;
-    if (norm(now.position - start.position) > 1e-6 * extent(sheet.drawing)) return false;
-    turns = turns || now.rotation != start.rotation;
-  }
-  return turns;
-}
-
 std::vector<Vec2> outline_places(const Sheet& sheet, const Frame& frame, std::size_t body) {
   const Drawing& drawing = sheet.drawing;
   const DrawnBody& drawn = drawing.bodies[body];
@@ -114,9 +102,8 @@ std::vector<Vec2> outline_places(const Sheet& sheet, const Frame& frame, std::si
     if (joint.action == drawn.name || (joint.base == drawn.name && !joint.direction))
       places.push_back(carried(drawing, frame, body, joint.at));
   }
-  // What turns on the spot does so about a shaft.
-  if (places.empty() || turns_on_the_spot(sheet, body))
-    places.push_back(carried(drawing, frame, body, drawn.centre));
+  const bool has_shaft = std::ranges::find(sheet.course.shafts, body) != sheet.course.shafts.end();
+  if (places.empty() || has_shaft) places.push_back(carried(drawing, frame, body, drawn.centre));
   return places;
 }
 

@@ -68,7 +68,7 @@ void exaggerate(Course& course, const Drawing& drawing, const CourseRequest& req
   for (const Frame& frame : course.frames) largest = std::max(largest, distance(frame, from));
   const double share = largest / extent(drawing);
   double factor = 1.0;
-  if (share > 0.0 && share < 0.015) factor = round_factor(0.06 / share);
+  if (share > 0.0 && share < 0.025) factor = round_factor(0.06 / share);
   if (request.exaggeration) factor = *request.exaggeration;
   if (factor == 1.0) return;
   for (auto* frames : {&course.frames, &course.way})
@@ -192,6 +192,22 @@ Course mode_course(const Result& result, const StudyResult& study, const ModeRes
   return course;
 }
 
+std::vector<std::size_t> find_shafts(const Drawing& drawing, const std::vector<Frame>& frames) {
+  std::vector<std::size_t> shafts;
+  for (std::size_t b = 0; b < drawing.bodies.size(); ++b) {
+    const Pose& start = frames.front().bodies[b].at;
+    bool turns = false;
+    bool stays = true;
+    for (const Frame& frame : frames) {
+      const Pose& now = frame.bodies[b].at;
+      stays = stays && norm(now.position - start.position) < 1e-6 * extent(drawing);
+      turns = turns || now.rotation != start.rotation;
+    }
+    if (turns && stays) shafts.push_back(b);
+  }
+  return shafts;
+}
+
 }  // namespace
 
 double extent(const Drawing& drawing) {
@@ -223,13 +239,18 @@ std::string factor_words(const std::string& what, double factor) {
 }
 
 Course make_course(const Result& result, const StudyResult& study, const CourseRequest& request) {
-  if (const auto* path = std::get_if<PathResult>(&study.content))
-    return path_course(result, *path, request);
-  if (const auto* modes = std::get_if<ModeResult>(&study.content))
-    return mode_course(result, study, *modes, request);
-  if (const auto* motion = std::get_if<MotionResult>(&study.content))
-    return motion_course(result, *motion, request);
-  return make_linkage_course(result, std::get<LinkageResult>(study.content), request);
+  Course course;
+  if (const auto* path = std::get_if<PathResult>(&study.content)) {
+    course = path_course(result, *path, request);
+  } else if (const auto* modes = std::get_if<ModeResult>(&study.content)) {
+    course = mode_course(result, study, *modes, request);
+  } else if (const auto* motion = std::get_if<MotionResult>(&study.content)) {
+    course = motion_course(result, *motion, request);
+  } else {
+    course = make_linkage_course(result, std::get<LinkageResult>(study.content), request);
+  }
+  course.shafts = find_shafts(result.drawing, course.frames);
+  return course;
 }
 
 }  // namespace flexura::pictures

@@ -15,6 +15,7 @@ struct Course {
   std::vector<Frame> frames;        ///< as they follow each other, evenly in time; at least one
   std::vector<Frame> ghosts;        ///< what is drawn pale below: one, or one per frame
   std::vector<Frame> way;           ///< finer than the frames, for the ways of points
+  std::vector<std::size_t> shafts;  ///< bodies that turn while their centres stay in place
   bool returns = false;             ///< comes back the same way
   double seconds = 4.0;             ///< that it takes, there and back
   std::string caption;              ///< what is to be known to read the picture; may be empty

@@ -39,6 +39,11 @@ double greatest_depth(const DrawnFlexure& flexure) {
   return flexure.depths.empty() ? flexure.depth : *std::ranges::max_element(flexure.depths);
 }
 
+/// Whether a flexure has an outline of its own, or is a line with a width.
+bool is_filled(const DrawnFlexure& flexure, const Screen& screen) {
+  return greatest_depth(flexure) * screen.scale > most_stroked;
+}
+
 /// Unit normals at the points of a line, by the chord between its neighbours.
 std::vector<Vec2> normals(const std::vector<Vec2>& line) {
   std::vector<Vec2> list;
@@ -60,7 +65,7 @@ struct Pieces {
 Pieces make_pieces(const Sheet& sheet, std::size_t f) {
   const DrawnFlexure& flexure = sheet.drawing.flexures[f];
   const double scale = sheet.screen.scale;
-  const bool filled = greatest_depth(flexure) * scale > most_stroked;
+  const bool filled = is_filled(flexure, sheet.screen);
   Pieces pieces;
   for (std::size_t n = 0; n < sheet.course.frames.size(); ++n) {
     const std::vector<Vec2>& axis = sheet.course.frames[n].axes[f];
@@ -138,6 +143,10 @@ bool is_straight(const std::vector<Vec2>& axis) {
 }
 
 }  // namespace
+
+std::size_t bytes_of_piece(const DrawnFlexure& flexure, const Screen& screen) {
+  return is_filled(flexure, screen) ? 52 : 30;
+}
 
 std::string flexure_layer(const Sheet& sheet) {
   std::vector<Pieces> all(sheet.drawing.flexures.size());

@@ -123,6 +123,8 @@ double distance(const Frame& a, const Frame& b) {
     };
     largest = std::max(largest, norm(place(a) - place(b)));
   }
+  for (std::size_t p = 0; p < std::min(a.points.size(), b.points.size()); ++p)
+    largest = std::max(largest, norm(a.points[p] - b.points[p]));
   return largest;
 }
 

@@ -45,7 +45,7 @@ Frame blend(const std::vector<Frame>& frames, const std::vector<Weight>& weights
 /// What is drawn `factor` times as far from where it was. Precondition: both have the same parts.
 Frame exaggerated(const Frame& frame, const Frame& from, double factor);
 
-/// The largest distance of any point of an axis or body between two frames.
+/// The largest distance of any point, body or place on an axis between two frames.
 double distance(const Frame& a, const Frame& b);
 
 /// Frames at `positions`, by cubics through the frames known at the ascending `times`.

@@ -72,10 +72,9 @@ std::vector<Held> held_places(const Sheet& sheet) {
     const std::string& moving = base_fixed ? joint.action : joint.base;
     held.push_back({joint.at, away(drawing.bodies[find_body(drawing, moving)], joint.at), true});
   }
-  for (std::size_t b = 0; b < drawing.bodies.size(); ++b) {
+  for (const std::size_t b : sheet.course.shafts) {
     const Vec2 centre = drawing.bodies[b].centre;
-    if (!drawing.bodies[b].fixed && turns_on_the_spot(sheet, b))
-      held.push_back({centre, centre + Vec2{0.0, 1.0}, true});
+    held.push_back({centre, centre + Vec2{0.0, 1.0}, true});
   }
   return held;
 }
@@ -90,12 +89,13 @@ std::string ground_rail(const Sheet& sheet, const DrawnJoint& joint) {
   const Vec2 start = sheet.screen(joint.at);
   double least = 0.0;
   double most = 0.0;
-  for (const Frame& frame : sheet.course.frames) {
-    const double at =
-        dot(sheet.screen(carried(sheet.drawing, frame, body, joint.at)) - start, along);
-    least = std::min(least, at);
-    most = std::max(most, at);
-  }
+  for (const auto* frames : {&sheet.course.frames, &sheet.course.way})
+    for (const Frame& frame : *frames) {
+      const double at =
+          dot(sheet.screen(carried(sheet.drawing, frame, body, joint.at)) - start, along);
+      least = std::min(least, at);
+      most = std::max(most, at);
+    }
   Vec2 side = perp(along);
   if (side.y < 0.0) side = -side;
   const Vec2 from = start + (least - beyond) * along + below * side;
@@ -174,9 +174,8 @@ std::string joint_layer(const Sheet& sheet) {
                        }));
     }
   }
-  for (std::size_t b = 0; b < drawing.bodies.size(); ++b)
-    if (!drawing.bodies[b].fixed && turns_on_the_spot(sheet, b))
-      text += pin_text(sheet, std::vector(frames.size(), drawing.bodies[b].centre));
+  for (const std::size_t b : sheet.course.shafts)
+    text += pin_text(sheet, std::vector(frames.size(), drawing.bodies[b].centre));
   return text;
 }
 

@@ -45,22 +45,28 @@ std::string arrows(const Sheet& sheet, const LoadedPlace& place,
                    const std::function<double(const Frame&)>& moment) {
   std::vector<std::string> straight;
   std::vector<std::string> round;
+  std::vector<std::string> heads;
   bool any_force = false;
   bool any_moment = false;
   for (const Frame& frame : sheet.course.frames) {
+    any_force = any_force || norm(force(frame)) > 1e-3;
+    any_moment = any_moment || std::abs(moment(frame)) > 1e-3;
+  }
+  for (const Frame& frame : sheet.course.frames) {
     const Vec2 at = sheet.screen(place_in(sheet, frame, place));
     const Vec2 f = force(frame);
-    const double m = moment(frame);
-    any_force = any_force || norm(f) > 1e-3;
-    any_moment = any_moment || std::abs(m) > 1e-3;
-    straight.push_back(force_arrow(at, longest_arrow * Vec2{f.x, -f.y}, nullptr).text());
-    round.push_back(moment_arrow(at, largest_turn * m, nullptr).text());
-    if (any_force) force_arrow(at, longest_arrow * Vec2{f.x, -f.y}, sheet.box);
-    if (any_moment) moment_arrow(at, largest_turn * m, sheet.box);
+    const Vec2 span = longest_arrow * Vec2{f.x, -f.y};
+    straight.push_back(force_arrow(at, span, any_force ? sheet.box : nullptr).text());
+    const MomentArrow turn =
+        moment_arrow(at, largest_turn * moment(frame), any_moment ? sheet.box : nullptr);
+    round.push_back(turn.line.text());
+    heads.push_back(turn.head.text());
   }
   std::string text;
   if (any_force) text += path_element("class=\"load\"", straight, {}, sheet.clock);
-  if (any_moment) text += path_element("class=\"load\"", round, {}, sheet.clock);
+  if (any_moment)
+    text += path_element("class=\"load\" fill=\"none\"", round, {}, sheet.clock) +
+            path_element("class=\"load\"", heads, {}, sheet.clock);
   return text;
 }
 
@@ -119,10 +125,10 @@ std::string reaction_texts(const Sheet& sheet) {
 /// Points that stay where they are have no way.
 bool wanders(const Sheet& sheet, std::size_t p) {
   const double least = 0.004 * extent(sheet.drawing);
-  const Vec2 start = sheet.course.frames.front().points[p];
-  return std::ranges::any_of(sheet.course.frames, [&](const Frame& frame) {
-    return norm(frame.points[p] - start) > least;
-  });
+  for (const auto* frames : {&sheet.course.frames, &sheet.course.way})
+    for (const Frame& frame : *frames)
+      if (norm(frame.points[p] - frames->front().points[p]) > least) return true;
+  return false;
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ std::string load_layer(const Sheet& sheet, const std::vector<DrawnLoad>& loads);
 /// same order, in every frame.
 std::vector<Vec2> outline_places(const Sheet& sheet, const Frame& frame, std::size_t body);
 
-/// Whether a body's centre stays where it is while the body turns.
-bool turns_on_the_spot(const Sheet& sheet, std::size_t body);
+/// About how much text a frame of a piece of a flexure takes, with its colour.
+std::size_t bytes_of_piece(const DrawnFlexure& flexure, const Screen& screen);
 
 /// Bending strain at the points of a flexure's axis, from how its curvature differs from that in
 /// the ghost, as drawn.

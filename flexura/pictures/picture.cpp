@@ -23,28 +23,27 @@ constexpr double least_wide = 430.0;  // for the footer's words
 
 constexpr std::size_t most_pieces = 16;
 constexpr std::size_t fewest_pieces = 6;
-constexpr std::size_t most_bytes = 90000;   // of the flexures' pieces
-constexpr std::size_t bytes_of_piece = 34;  // a frame of one, with its colour
+constexpr std::size_t most_bytes = 80000;  // of the flexures' pieces
 
 constexpr const char* style =
     ".paper{fill:#fff}"
-    ".ghost,.ghost-body{stroke:#e3e7ec;fill:none;stroke-linejoin:round}"
-    ".ghost-body{stroke:#eef0f3;stroke-linecap:round}path.ghost-body{fill:#eef0f3}"
-    "path.ghost-body[fill=none]{fill:none}"
+    ".ghost{stroke:#e3e7ec;fill:none;stroke-linejoin:round}"
+    ".ghost-body{stroke:#eef0f3;fill:#eef0f3;stroke-linejoin:round;stroke-linecap:round}"
+    ".ghost-body[fill=none]{fill:none}"
     ".ghost-link{fill:#eef0f3;stroke:#e3e7ec}"
     ".ground-line{stroke:#3d4752;stroke-width:2;fill:none}"
     ".hatch{stroke:#3d4752;stroke-width:1;fill:none}"
     ".edge{stroke:#66727f;fill:#66727f;stroke-linejoin:round;stroke-linecap:round}"
     ".body{stroke:#c3ccd6;fill:#c3ccd6;stroke-linejoin:round;stroke-linecap:round}"
     ".strip{stroke:currentColor;fill:none;stroke-linecap:round}"
-    ".solid{stroke:currentColor;fill:currentColor;stroke-width:.7}"
+    ".solid{stroke:currentColor;fill:currentColor;stroke-width:1.2}"
     ".link{fill:#b9cbe2;stroke:#2d5f99;stroke-width:1.2}"
     ".spring{fill:none;stroke:#3d4752;stroke-width:1.4;stroke-linejoin:round}"
     ".pin,.dot{fill:#fff;stroke:#3d4752;stroke-width:1.5}"
     ".slider{fill:#dfe4ea;stroke:#3d4752;stroke-width:1.5}"
     ".way{fill:none;stroke:#7a4fb5;stroke-width:1.3;stroke-dasharray:4 3}"
     ".dot{stroke:#7a4fb5}"
-    ".load{fill:#111;stroke:#111;stroke-width:1.7;stroke-linejoin:round}"
+    ".load{stroke:#111;stroke-width:1.7}"
     "text{font:12px system-ui,sans-serif;fill:#4c5763}"
     ".bar{fill:none;stroke:#4c5763;stroke-width:1.3}";
 
@@ -94,11 +93,12 @@ void keep_still(Course& course, Clock& clock) {
   clock.still = 0;
 }
 
-std::size_t count_pieces(const Drawing& drawing, const Clock& clock) {
+/// As many as keep the picture small.
+std::size_t count_pieces(const Drawing& drawing, const Screen& screen, const Clock& clock) {
+  std::size_t bytes = 1;
+  for (const DrawnFlexure& flexure : drawing.flexures) bytes += bytes_of_piece(flexure, screen);
   const std::size_t shown = std::max<std::size_t>(1, clock.order.size());
-  const std::size_t each =
-      bytes_of_piece * shown * std::max<std::size_t>(1, drawing.flexures.size());
-  return std::clamp(most_bytes / each, fewest_pieces, most_pieces);
+  return std::clamp(most_bytes / (bytes * shown), fewest_pieces, most_pieces);
 }
 
 std::string colour_key(double right, double y) {
@@ -140,7 +140,7 @@ std::string draw(const Result& result, const StudyResult& study, Course course, 
   if (clock.order.empty()) keep_still(course, clock);
   Box box;
   const Sheet sheet{
-      result.drawing, course, clock, screen, count_pieces(result.drawing, clock), &box};
+      result.drawing, course, clock, screen, count_pieces(result.drawing, screen, clock), &box};
   const std::string layers = ghost_layer(sheet) + ground_layer(sheet) + body_layer(sheet) +
                              flexure_layer(sheet) + spring_layer(sheet) + joint_layer(sheet) +
                              way_layer(sheet) + load_layer(sheet, study.loads);

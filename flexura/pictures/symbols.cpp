@@ -58,19 +58,19 @@ PathData force_arrow(Vec2 start, Vec2 span, Box* box) {
   return data;
 }
 
-PathData moment_arrow(Vec2 centre, double angle, Box* box) {
+MomentArrow moment_arrow(Vec2 centre, double angle, Box* box) {
   constexpr double radius = 22.0;
   constexpr int pieces = 14;
   constexpr double start = 0.5 * std::numbers::pi - 0.6;
   const auto place = [&](double a) { return centre + radius * Vec2{std::cos(a), -std::sin(a)}; };
-  PathData data(box, 1.0);
-  data.move(place(start));
-  for (int k = 1; k <= pieces; ++k) data.line(place(start + angle * k / pieces));
+  MomentArrow arrow{PathData(box, 1.0), PathData(box, 1.0)};
+  arrow.line.move(place(start));
+  for (int k = 1; k <= pieces; ++k) arrow.line.line(place(start + angle * k / pieces));
   const double head = std::min(11.0, 0.5 * radius * std::abs(angle));
   const double end = start + angle;
   const double sense = angle < 0.0 ? -1.0 : 1.0;
-  add_head(data, place(end), sense * Vec2{-std::sin(end), -std::cos(end)}, head);
-  return data;
+  add_head(arrow.head, place(end), sense * Vec2{-std::sin(end), -std::cos(end)}, head);
+  return arrow;
 }
 
 int coil_turns(Vec2 from, Vec2 to) {

@@ -23,8 +23,13 @@ GroundSign rail_sign(Vec2 from, Vec2 to, Box* box);
 /// An arrow from `start`, with its filled head at the end; a path to be stroked and filled.
 PathData force_arrow(Vec2 start, Vec2 span, Box* box);
 
-/// A turn about a place by `angle` (radians, counter-clockwise on the screen), with a head.
-PathData moment_arrow(Vec2 centre, double angle, Box* box);
+/// A turn about a place by `angle` (radians, counter-clockwise on the screen): a line, and a head
+/// to be filled.
+struct MomentArrow {
+  PathData line;
+  PathData head;
+};
+MomentArrow moment_arrow(Vec2 centre, double angle, Box* box);
 
 /// A coil between two places; `turns` is the same in all frames of a picture.
 PathData coil(Vec2 from, Vec2 to, int turns, Box* box);
