@@ -28,6 +28,8 @@ std::vector<std::string> local_links(const std::string& text) {
   for (const std::string& link : matches(text, R"(\]\(([^)#\s]+)[^)]*\))")) {
     if (link.find(':') == std::string::npos) links.push_back(link);
   }
+  for (const std::string& picture : matches(text, R"re(<img src="([^":]+)")re"))
+    links.push_back(picture);
   return links;
 }
 
@@ -55,6 +57,8 @@ std::vector<std::string> installed_packages() {
 TEST(Documents, LinksAreRecognised) {
   EXPECT_EQ(local_links("[a](docs/a.md#top) ![b](b.png \"title\") [c](https://c.org) [d](#d)"),
             (std::vector<std::string>{"docs/a.md", "b.png"}));
+  EXPECT_EQ(local_links("[<img src=\"c.svg\" width=\"9\">](#d)"),
+            std::vector<std::string>{"c.svg"});
 }
 
 TEST(Documents, LinksLeadSomewhere) {
