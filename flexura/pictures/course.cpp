@@ -11,10 +11,10 @@ namespace flexura::pictures {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::size_t path_frames = 20;  // one way; they come closer where the motion turns
+constexpr std::size_t path_frames = 16;  // one way; they come closer where the motion turns
 constexpr std::size_t mode_frames = 10;
 constexpr std::size_t motion_frames = 90;
-constexpr std::size_t most_way = 200;
+constexpr std::size_t most_way = 400;
 
 template <class Modelings>
 const auto& modeling_of(const Modelings& modelings, const std::string& label) {
@@ -115,7 +115,7 @@ Course path_course(const Result& result, const PathResult& path, const CourseReq
       states.size() == 1 ? states : resample(states, times, there(times.back(), path_frames));
   course.way = states.size() == 1
                    ? states
-                   : resample(states, times, evenly(0.0, times.back(), most_way / 2));
+                   : resample(states, times, evenly(0.0, times.back(), most_way / 4));
   exaggerate(course, result.drawing, request, "displacements");
   return course;
 }

@@ -122,12 +122,16 @@ std::string pieces_text(const Pieces& pieces, double largest, const Clock& clock
 
 std::string border_text(const Sheet& sheet, std::size_t f, const std::vector<Frame>& frames,
                         const char* look) {
-  constexpr std::size_t most_border = 120;
+  // Corners of borders are many, and each moves.
+  constexpr std::size_t most_corners = 120;
+  constexpr std::size_t fewest_corners = 36;
+  constexpr std::size_t most_in_all = 3600;
+  const std::size_t corners = std::clamp(most_in_all / frames.size(), fewest_corners, most_corners);
   std::vector<std::string> data;
   for (const Frame& frame : frames) {
     const std::vector<Vec2>& axis = frame.axes[f];
     PathData path(sheet.box, 1.0);
-    path.lines(on_screen(sheet.screen, axis, picked(axis.size(), most_border)));
+    path.lines(on_screen(sheet.screen, axis, picked(axis.size(), corners)));
     data.push_back(path.close().text());
   }
   Clock clock = sheet.clock;

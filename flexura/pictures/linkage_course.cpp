@@ -6,7 +6,7 @@
 namespace flexura::pictures {
 namespace {
 
-constexpr std::size_t turn_frames = 60;
+constexpr std::size_t turn_frames = 48;
 
 /// A frame of the line between the ends of an axis: places along it as shares, across as lengths.
 struct Chord {

@@ -19,25 +19,25 @@ constexpr double most_wide = 620.0;  // pixels, of the mechanism itself
 constexpr double most_high = 420.0;
 constexpr double margin = 14.0;
 constexpr double footer = 34.0;
-constexpr double least_wide = 430.0;  // for the footer's words
+constexpr double least_wide = 470.0;  // for the footer's words
 
 constexpr std::size_t most_pieces = 16;
 constexpr std::size_t fewest_pieces = 6;
-constexpr std::size_t most_bytes = 80000;  // of the flexures' pieces
+constexpr std::size_t most_bytes = 100000;  // of the flexures' pieces
 
 constexpr const char* style =
     ".paper{fill:#fff}"
     ".ghost{stroke:#e3e7ec;fill:none;stroke-linejoin:round}"
     ".ghost-body{stroke:#eef0f3;fill:#eef0f3;stroke-linejoin:round;stroke-linecap:round}"
     ".ghost-body[fill=none]{fill:none}"
-    ".ghost-link{fill:#eef0f3;stroke:#e3e7ec}"
+    ".ghost-link{fill:#e9ecf0}"
     ".ground-line{stroke:#3d4752;stroke-width:2;fill:none}"
     ".hatch{stroke:#3d4752;stroke-width:1;fill:none}"
     ".edge{stroke:#66727f;fill:#66727f;stroke-linejoin:round;stroke-linecap:round}"
     ".body{stroke:#c3ccd6;fill:#c3ccd6;stroke-linejoin:round;stroke-linecap:round}"
     ".strip{stroke:currentColor;fill:none;stroke-linecap:round}"
     ".solid{stroke:currentColor;fill:currentColor;stroke-width:1.2}"
-    ".link{fill:#b9cbe2;stroke:#2d5f99;stroke-width:1.2}"
+    ".link{fill:#8fadd3}"  // a line round it would show the slits to its holes
     ".spring{fill:none;stroke:#3d4752;stroke-width:1.4;stroke-linejoin:round}"
     ".pin,.dot{fill:#fff;stroke:#3d4752;stroke-width:1.5}"
     ".slider{fill:#dfe4ea;stroke:#3d4752;stroke-width:1.5}"

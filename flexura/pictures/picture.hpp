@@ -12,7 +12,7 @@ namespace flexura {
 struct PictureRequest {
   std::string study;
   std::string modeling = {};  ///< its label; of a linkage the method; empty: the study's reference
-  std::size_t mode = 1;  ///< of studies of kind `modes` and `buckling`, the lowest first
+  std::size_t mode = 1;       ///< of studies of kind `modes` and `buckling`, the lowest first
   bool moving = true;
   /// How many times as far as they are displacements are drawn; of a mode the amplitude in length
   /// units. Default: 1, or what lets the eye see them, which the picture then says.

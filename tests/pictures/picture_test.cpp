@@ -76,7 +76,7 @@ const StudyResult& study_of_kind(const Result& result, const std::string& kind) 
 TEST(Pictures, OfPathsGoToAndFro) {
   const Result result = sample::make_sample_result();
   const std::string svg = drawn(result, {study_of_kind(result, "path").name});
-  EXPECT_EQ(values_of(svg), 41U);
+  EXPECT_EQ(values_of(svg), 33U);
   EXPECT_GT(count_of(svg, "class=\"ground-line\""), 0U);
   EXPECT_GT(count_of(svg, "class=\"load\""), 0U);
   EXPECT_GT(count_of(svg, "class=\"way\""), 0U);
@@ -91,7 +91,7 @@ TEST(Pictures, OfTransientsEndWhereTheyEnd) {
 TEST(Pictures, OfTurnsGoOnceRoundWithTheirDeflectionsExaggerated) {
   const Result result = sample::make_sample_turn();
   const std::string svg = drawn(result, {"turn"});
-  EXPECT_EQ(values_of(svg), 61U);
+  EXPECT_EQ(values_of(svg), 49U);
   EXPECT_EQ(count_of(svg, "deflections ×"), 1U);
   EXPECT_GT(count_of(svg, "class=\"slider\""), 0U);
   EXPECT_GT(count_of(svg, "class=\"pin\""), 0U);
