@@ -104,6 +104,7 @@ Course path_course(const Result& result, const PathResult& path, const CourseReq
     factors.push_back(state.load_factor);
   }
   if (states.empty()) states = course.ghosts;
+  match_axes(states);
   course.ghosts = {states.front()};
   // Over the load factor, or over the states where that turns back.
   const bool grows =
@@ -134,6 +135,11 @@ Course motion_course(const Result& result, const MotionResult& motion,
     states.push_back(frame_of(result.drawing, motion, state.state, modeling.modeling == "linear"));
     states.back().share = 1.0;
     times.push_back(state.time);
+  }
+  if (!states.empty()) {  // the start need not be the mechanism as drawn
+    states.insert(states.begin(), course.ghosts.front());
+    match_axes(states);
+    states.erase(states.begin());
   }
   course.frames = course.ghosts;
   if (states.size() == 1) course.frames = states;

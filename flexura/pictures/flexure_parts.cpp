@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "flexura/pictures/outline.hpp"
 #include "flexura/pictures/parts.hpp"
 
 namespace flexura::pictures {
@@ -122,16 +124,18 @@ std::string pieces_text(const Pieces& pieces, double largest, const Clock& clock
 
 std::string border_text(const Sheet& sheet, std::size_t f, const std::vector<Frame>& frames,
                         const char* look) {
-  // Corners of borders are many, and each moves.
-  constexpr std::size_t most_corners = 120;
-  constexpr std::size_t fewest_corners = 36;
-  constexpr std::size_t most_in_all = 3600;
-  const std::size_t corners = std::clamp(most_in_all / frames.size(), fewest_corners, most_corners);
+  // A border has hundreds of corners, of which most lie on straight sides.
+  constexpr double tolerance = 0.3;  // pixels
+  constexpr double longest = 40.0;
+  const std::vector<Vec2>& first = frames.front().axes[f];
+  std::vector<std::size_t> all(first.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::size_t> kept =
+      needed_points(on_screen(sheet.screen, first, all), tolerance, longest);
   std::vector<std::string> data;
   for (const Frame& frame : frames) {
-    const std::vector<Vec2>& axis = frame.axes[f];
     PathData path(sheet.box, 1.0);
-    path.lines(on_screen(sheet.screen, axis, picked(axis.size(), corners)));
+    path.lines(on_screen(sheet.screen, frame.axes[f], kept));
     data.push_back(path.close().text());
   }
   Clock clock = sheet.clock;

@@ -18,7 +18,6 @@ void add(Frame& to, double k, const Frame& frame, const Frame& from) {
   for (std::size_t f = 0; f < to.axes.size(); ++f) {
     const std::vector<Vec2>& axis = frame.axes[f];
     const std::vector<Vec2>& start = from.axes[f];
-    if (axis.size() != start.size()) continue;
     for (std::size_t p = 0; p < axis.size(); ++p)
       to.axes[f][p] = to.axes[f][p] + k * (axis[p] - start[p]);
   }
@@ -102,6 +101,24 @@ Frame blend(const std::vector<Frame>& frames, const std::vector<Weight>& weights
   Frame blended = from;
   for (const Weight& w : weights) add(blended, w.value, frames[w.frame], from);
   return blended;
+}
+
+void match_axes(std::vector<Frame>& frames) {
+  for (Frame& frame : frames) {
+    for (std::size_t f = 0; f < frame.axes.size(); ++f) {
+      const std::vector<Vec2> from = frame.axes[f];
+      std::vector<Vec2>& axis = frame.axes[f];
+      axis.resize(frames.front().axes[f].size());
+      if (axis.size() == from.size() || from.empty()) continue;
+      for (std::size_t k = 0; k < axis.size(); ++k) {
+        const double at = static_cast<double>(k * (from.size() - 1)) /
+                          static_cast<double>(std::max<std::size_t>(1, axis.size() - 1));
+        const auto before = std::min(static_cast<std::size_t>(at), from.size() - 1);
+        const std::size_t after = std::min(before + 1, from.size() - 1);
+        axis[k] = from[before] + (at - static_cast<double>(before)) * (from[after] - from[before]);
+      }
+    }
+  }
 }
 
 Frame exaggerated(const Frame& frame, const Frame& from, double factor) {

@@ -38,9 +38,11 @@ struct Weight {
   double value = 0.0;
 };
 
-/// The sum of frames times their weights, which add up to 1. Axes whose number of points changes
-/// are those of the heaviest frame.
+/// The sum of frames times their weights, which add up to 1. Precondition: their axes match.
 Frame blend(const std::vector<Frame>& frames, const std::vector<Weight>& weights);
+
+/// Gives the axes of all frames as many points as those of the first have, evenly by their number.
+void match_axes(std::vector<Frame>& frames);
 
 /// What is drawn `factor` times as far from where it was. Precondition: both have the same parts.
 Frame exaggerated(const Frame& frame, const Frame& from, double factor);

@@ -1,6 +1,7 @@
 #include "flexura/pictures/outline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -43,6 +44,45 @@ bool lies_inside(const std::vector<Vec2>& corners, Vec2 place, double margin) {
     if (cross(side, place - corners[i]) <= margin * norm(side)) return false;
   }
   return true;
+}
+
+std::vector<std::size_t> needed_points(const std::vector<Vec2>& line, double tolerance,
+                                       double longest) {
+  std::vector<bool> needed(line.size(), false);
+  std::vector<std::pair<std::size_t, std::size_t>> chords;
+  if (!line.empty()) {
+    needed.front() = needed.back() = true;
+    chords.emplace_back(0, line.size() - 1);
+  }
+  // Douglas and Peucker's: what lies furthest from a chord divides it.
+  while (!chords.empty()) {
+    const auto [from, to] = chords.back();
+    chords.pop_back();
+    const Vec2 chord = line[to] - line[from];
+    const double length = norm(chord);
+    std::size_t furthest = from;
+    double most = tolerance;
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const Vec2 arm = line[k] - line[from];
+      const double away = length > 0.0 ? std::abs(cross(chord, arm)) / length : norm(arm);
+      if (away <= most) continue;
+      most = away;
+      furthest = k;
+    }
+    if (furthest == from) continue;
+    needed[furthest] = true;
+    chords.emplace_back(from, furthest);
+    chords.emplace_back(furthest, to);
+  }
+  std::vector<std::size_t> kept;
+  double way = 0.0;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (k > 0) way += norm(line[k] - line[k - 1]);
+    if (!needed[k] && way < longest) continue;
+    kept.push_back(k);
+    way = 0.0;
+  }
+  return kept;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> shortest_arms(const std::vector<Vec2>& points) {

@@ -23,7 +23,7 @@ constexpr double least_wide = 470.0;  // for the footer's words
 
 constexpr std::size_t most_pieces = 16;
 constexpr std::size_t fewest_pieces = 6;
-constexpr std::size_t most_bytes = 100000;  // of the flexures' pieces
+constexpr std::size_t most_bytes = 90000;  // of the flexures' pieces
 
 constexpr const char* style =
     ".paper{fill:#fff}"

@@ -67,6 +67,16 @@ TEST(Exaggerated, DrawsWhatMovedFurtherAway) {
   EXPECT_EQ(far.share, 0.5) << "loads stay what they are";
 }
 
+TEST(MatchAxes, GivesEveryFrameThePointsOfTheFirst) {
+  std::vector<Frame> frames(3);
+  frames[0].axes = {{{0, 0}, {1, 0}, {2, 0}}};
+  frames[1].axes = {{{0, 0}, {4, 2}}};
+  frames[2].axes = {{}};
+  match_axes(frames);
+  EXPECT_EQ(frames[1].axes[0], (std::vector<Vec2>{{0, 0}, {2, 1}, {4, 2}}));
+  EXPECT_EQ(frames[2].axes[0].size(), 3U);
+}
+
 TEST(Distance, IsTheLargestOfAnyPlace) {
   const std::vector<Frame> frames = thrown({0, 2});
   EXPECT_DOUBLE_EQ(distance(frames[0], frames[1]), std::hypot(2, 4));

@@ -30,6 +30,19 @@ TEST(LiesInside, KeepsAMarginFromEverySide) {
   EXPECT_FALSE(lies_inside({{0, 0}, {1, 0}}, {0.5, 0.0}, 0.0)) << "a line has no inside";
 }
 
+TEST(NeededPoints, AreCornersAndEnoughInBetween) {
+  const std::vector<Vec2> line = {{0, 0}, {1, 0}, {2, 0}, {3, 0.001}, {4, 0}, {4, 3}, {4, 9}};
+  EXPECT_EQ(needed_points(line, 0.1, 100), (std::vector<std::size_t>{0, 4, 6}));
+  EXPECT_EQ(needed_points(line, 0.1, 2), (std::vector<std::size_t>{0, 2, 4, 5, 6}));
+  EXPECT_EQ(needed_points(line, 0.0001, 100), (std::vector<std::size_t>{0, 3, 4, 6}));
+}
+
+TEST(NeededPoints, OfAClosedLineKeepWhatIsFurthest) {
+  EXPECT_EQ(needed_points({{0, 0}, {2, 0}, {2, 2}, {0, 0}}, 0.1, 100),
+            (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_TRUE(needed_points({}, 1, 1).empty());
+}
+
 TEST(ShortestArms, JoinEveryPointOnce) {
   const auto arms = shortest_arms({{0, 0}, {10, 0}, {1, 0}, {2, 0}});
   EXPECT_EQ(arms, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}, {2, 3}, {3, 1}}));
