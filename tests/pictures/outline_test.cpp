@@ -34,7 +34,7 @@ TEST(NeededPoints, AreCornersAndEnoughInBetween) {
   const std::vector<Vec2> line = {{0, 0}, {1, 0}, {2, 0}, {3, 0.001}, {4, 0}, {4, 3}, {4, 9}};
   EXPECT_EQ(needed_points(line, 0.1, 100), (std::vector<std::size_t>{0, 4, 6}));
   EXPECT_EQ(needed_points(line, 0.1, 2), (std::vector<std::size_t>{0, 2, 4, 5, 6}));
-  EXPECT_EQ(needed_points(line, 0.0001, 100), (std::vector<std::size_t>{0, 3, 4, 6}));
+  EXPECT_EQ(needed_points(line, 0.0008, 100), (std::vector<std::size_t>{0, 3, 4, 6}));
 }
 
 TEST(NeededPoints, OfAClosedLineKeepWhatIsFurthest) {
