@@ -92,7 +92,11 @@ Pieces make_pieces(const Sheet& sheet, std::size_t f) {
         };
         data.lines({corner(k, 1), corner(k + 1, 1), corner(k + 1, -1), corner(k, -1)}).close();
       } else {
-        data.lines({line[k], line[k + 1]});
+        // Through the middle of the piece.
+        const std::size_t twice = kept[k] + kept[k + 1];
+        const Vec2 middle =
+            0.5 * (sheet.screen(axis[twice / 2]) + sheet.screen(axis[(twice + 1) / 2]));
+        data.move(line[k]).curve(2.0 * middle - 0.5 * (line[k] + line[k + 1]), line[k + 1]);
         pieces.widths[k] = 0.5 * (width(k) + width(k + 1));
       }
       pieces.data[k].push_back(data.text());
@@ -153,7 +157,7 @@ bool is_straight(const std::vector<Vec2>& axis) {
 }  // namespace
 
 std::size_t bytes_of_piece(const DrawnFlexure& flexure, const Screen& screen) {
-  return is_filled(flexure, screen) ? 52 : 30;
+  return is_filled(flexure, screen) ? 52 : 38;
 }
 
 std::string flexure_layer(const Sheet& sheet) {

@@ -22,6 +22,7 @@ constexpr double footer = 34.0;
 constexpr double least_wide = 470.0;  // for the footer's words
 
 constexpr std::size_t most_pieces = 16;
+constexpr std::size_t still_pieces = 40;
 constexpr std::size_t fewest_pieces = 6;
 constexpr std::size_t most_bytes = 90000;  // of the flexures' pieces
 
@@ -97,7 +98,8 @@ void keep_still(Course& course, Clock& clock) {
 std::size_t count_pieces(const Drawing& drawing, const Screen& screen, const Clock& clock) {
   std::size_t bytes = 1;
   for (const DrawnFlexure& flexure : drawing.flexures) bytes += bytes_of_piece(flexure, screen);
-  const std::size_t shown = std::max<std::size_t>(1, clock.order.size());
+  if (clock.order.empty()) return still_pieces;
+  const std::size_t shown = clock.order.size();
   return std::clamp(most_bytes / (bytes * shown), fewest_pieces, most_pieces);
 }
 

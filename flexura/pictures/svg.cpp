@@ -82,6 +82,16 @@ PathData& PathData::line(Vec2 p) {
   return *this;
 }
 
+PathData& PathData::curve(Vec2 control, Vec2 end) {
+  const long x = x_;
+  const long y = y_;
+  put('q', control);
+  x_ = x;  // both places count from the start
+  y_ = y;
+  put(' ', end);
+  return *this;
+}
+
 PathData& PathData::lines(const std::vector<Vec2>& places) {
   for (std::size_t k = 0; k < places.size(); ++k) k == 0 ? move(places[k]) : line(places[k]);
   return *this;

@@ -34,6 +34,7 @@ class PathData {
 
   PathData& move(Vec2 p);
   PathData& line(Vec2 p);
+  PathData& curve(Vec2 control, Vec2 end);           ///< quadratic
   PathData& lines(const std::vector<Vec2>& places);  ///< moves to the first
   PathData& close();
   PathData& circle(Vec2 centre, double radius);

@@ -13,6 +13,12 @@ TEST(PathData, IsRelativeAndShort) {
   EXPECT_EQ(data.text(), "M10 20l.5 0l-2.5 5.3z");
 }
 
+TEST(PathData, CurvesCountFromTheirStart) {
+  PathData data;
+  data.move({1, 1}).curve({2, 3}, {3, 1}).line({4, 0});
+  EXPECT_EQ(data.text(), "M1 1q1 2 2 0l1-1");
+}
+
 TEST(PathData, DoesNotDriftByRounding) {
   PathData data;
   data.move({0, 0});
