@@ -52,6 +52,7 @@ std::string bodies_text(const Sheet& sheet, const std::vector<Frame>& frames, bo
     if (sheet.drawing.bodies[b].fixed) continue;
     const BodyShape shape = shape_of(sheet, sheet.course.ghosts.front(), b);
     std::vector<std::string> data;
+    data.reserve(frames.size());
     for (const Frame& frame : frames)
       data.push_back(outline(sheet, frame, b, shape, radius).text());
     if (data.front().empty()) continue;

@@ -80,8 +80,7 @@ Frame start_of(const Drawing& drawing, const std::vector<std::string>& points,
                std::size_t reactions) {
   Frame frame = drawn_frame(drawing);
   for (const std::string& name : points) {
-    for (std::size_t b = 0; b < drawing.bodies.size(); ++b) {
-      const DrawnBody& body = drawing.bodies[b];
+    for (const DrawnBody& body : drawing.bodies) {
       for (std::size_t p = 0; p < body.points.size(); ++p)
         if (name == body.name + "." + body.point_names[p]) frame.points.push_back(body.points[p]);
     }

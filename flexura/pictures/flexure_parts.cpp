@@ -26,6 +26,7 @@ std::vector<std::size_t> picked(std::size_t count, std::size_t pieces) {
 std::vector<Vec2> on_screen(const Screen& screen, const std::vector<Vec2>& axis,
                             const std::vector<std::size_t>& indices) {
   std::vector<Vec2> places;
+  places.reserve(indices.size());
   for (const std::size_t k : indices) places.push_back(screen(axis[k]));
   return places;
 }

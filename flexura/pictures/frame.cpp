@@ -69,6 +69,7 @@ std::vector<Weight> cubic_weights(const std::vector<double>& times, std::size_t 
   for (const Weight& w : slope_weights(times, i + 1))
     weights[w.frame] += w.value * step * t * t * (t - 1.0);
   std::vector<Weight> list;
+  list.reserve(weights.size());
   for (const auto& [frame, value] : weights) list.push_back({frame, value});
   return list;
 }

@@ -108,6 +108,7 @@ std::string ground_rail(const Sheet& sheet, const DrawnJoint& joint) {
 
 std::string pin_text(const Sheet& sheet, const std::vector<Vec2>& places) {
   std::vector<std::string> data;
+  data.reserve(places.size());
   for (const Vec2 place : places)
     data.push_back(PathData(sheet.box, 1.0).circle(sheet.screen(place), pin_radius).text());
   return path_element("class=\"pin\"", data, {}, sheet.clock);
@@ -150,6 +151,7 @@ std::string joint_layer(const Sheet& sheet) {
   const std::vector<Frame>& frames = sheet.course.frames;
   const auto everywhere = [&](const auto& place) {
     std::vector<Vec2> places;
+    places.reserve(frames.size());
     for (const Frame& frame : frames) places.push_back(place(frame));
     return places;
   };

@@ -18,8 +18,11 @@ Vec2 unit_along(Vec2 v) {
 /// Hatches behind a line that starts at `start` and is `length` long along `along`.
 PathData hatches(Vec2 start, Vec2 along, Vec2 behind, double length, Box* box) {
   PathData data(box);
-  for (double t = hatch_step; t <= length + 0.5; t += hatch_step)
-    data.move(start + t * along).line(start + (t - 6.0) * along + hatch_depth * behind);
+  const int count = static_cast<int>((length + 0.5) / hatch_step);
+  for (int k = 1; k <= count; ++k) {
+    const Vec2 place = start + hatch_step * k * along;
+    data.move(place).line(place - hatch_step * along + hatch_depth * behind);
+  }
   return data;
 }
 
