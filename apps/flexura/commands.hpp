@@ -25,8 +25,20 @@ struct RunArguments {
   bool quiet = false;
 };
 
+struct DrawArguments {
+  ModelArguments model;
+  std::filesystem::path output;  ///< empty: <model>.svg beside the working folder
+  std::string study;             ///< empty: the first that has a shape to draw
+  std::string modeling;          ///< label or name; empty: the study's reference
+  int mode = 1;
+  double exaggeration = 0.0;  ///< 0: as the eye needs it
+  bool still = false;
+  bool quiet = false;
+};
+
 int run_command(const RunArguments& arguments);
 int check_command(const ModelArguments& arguments, bool quiet);
+int draw_command(const DrawArguments& arguments);
 int new_command(const std::filesystem::path& file);
 
 }  // namespace flexura::app

@@ -13,6 +13,25 @@ void add_model(CLI::App& command, ModelArguments& arguments) {
   command.add_option("--set", arguments.assignments, "give a parameter another value: name=value");
 }
 
+CLI::App* add_draw(CLI::App& app, DrawArguments& draw) {
+  CLI::App* command = app.add_subcommand("draw", "draw a study as an animated picture (SVG)");
+  add_model(*command, draw.model);
+  command->add_option("-o,--output", draw.output, "the file to write (default: MODEL.svg)");
+  command->add_option("--study", draw.study, "the study (default: the first with a shape)");
+  command->add_option("--modeling", draw.modeling,
+                      "the modeling, or a linkage's method (default: the study's reference)");
+  command->add_option("--mode", draw.mode, "number of the mode (default: 1, the lowest)")
+      ->check(CLI::Range(1, 1000));
+  command
+      ->add_option("--exaggerate", draw.exaggeration,
+                   "draw displacements as many times as far (default: 1, more if unseen); "
+                   "of a mode the amplitude")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--still,!--moving", draw.still, "the most deformed state alone");
+  command->add_flag("-q,--quiet", draw.quiet, "print errors only");
+  return command;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Planar mechanisms that move because they bend.", "flexura");
   app.set_version_flag("--version", "flexura " FLEXURA_VERSION);
@@ -34,6 +53,9 @@ int run(int argc, char** argv) {
   add_model(*check_app, check);
   check_app->add_flag("-q,--quiet", quiet_check, "print errors only");
 
+  DrawArguments draw;
+  const CLI::App* draw_app = add_draw(app, draw);
+
   std::filesystem::path new_file;
   CLI::App* new_app = app.add_subcommand("new", "write a commented model file to start from");
   new_app->add_option("file", new_file, "the file to write")->required();
@@ -44,6 +66,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? all_finished : wrong_input;
   }
   if (*run_app) return run_command(run);
+  if (*draw_app) return draw_command(draw);
   if (*check_app) return check_command(check, quiet_check);
   return new_command(new_file);
 }

@@ -45,6 +45,9 @@ std::vector<Link> local_links(const std::string& text) {
   for (std::sregex_iterator match(plain.begin(), plain.end(), pattern), end; match != end; ++match)
     if ((*match)[1].str().find(':') == std::string::npos)
       links.push_back({(*match)[1], (*match)[2]});
+  static const std::regex picture(R"re(<img src="([^":]+)")re");
+  for (std::sregex_iterator match(plain.begin(), plain.end(), picture), end; match != end; ++match)
+    links.push_back({(*match)[1], {}});
   return links;
 }
 

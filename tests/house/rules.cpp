@@ -23,7 +23,8 @@ constexpr std::array rooms = {
     Room{"flexura/core", 0},     Room{"flexura/geometry", 1}, Room{"flexura/energy", 1},
     Room{"flexura/assembly", 1}, Room{"flexura/solvers", 1},  Room{"flexura/results", 1},
     Room{"flexura/model", 2},    Room{"flexura/report", 2},   Room{"flexura/modelings", 3},
-    Room{"flexura/io", 3},       Room{"flexura/studies", 4},  Room{"apps/flexura", 5},
+    Room{"flexura/pictures", 2}, Room{"flexura/io", 3},       Room{"flexura/studies", 4},
+    Room{"apps/flexura", 5},
 };
 
 constexpr std::array modelings = {"linear", "scmbm", "prbm", "exact", "beam", "bcm", "continuum"};

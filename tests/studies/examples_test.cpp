@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "flexura/io/model_reader.hpp"
+#include "flexura/pictures/picture.hpp"
 #include "flexura/studies/run_studies.hpp"
+#include "tests/pictures/picture_checks.hpp"
 
 namespace flexura {
 namespace {
@@ -39,6 +41,12 @@ TEST_P(Example, Runs) {
   const Result result = run_studies(*reading.model, {});
   EXPECT_FALSE(result.studies.empty());
   for (const StudyResult& study : result.studies) {
+    if (can_be_drawn(study.kind)) {
+      const Picture picture = make_picture(result, {study.name});
+      EXPECT_EQ(picture.error, "") << study.name;
+      EXPECT_EQ(pictures::picture_faults(picture.svg), std::vector<std::string>{}) << study.name;
+      EXPECT_LT(picture.svg.size(), 150000U) << study.name;
+    }
     // the chain's last load case ends at a limit point, which the example is there to show
     if (GetParam() == "arc_chain" && study.name == "lc4_minus") continue;
     EXPECT_TRUE(study.termination.converged()) << study.name << ": " << study.termination.reason;
