@@ -8,6 +8,7 @@
 #include "flexura/modelings/make_system.hpp"
 #include "flexura/solvers/continuation.hpp"
 #include "flexura/studies/assembly_stage.hpp"
+#include "flexura/studies/error_estimate.hpp"
 #include "flexura/studies/prescribed.hpp"
 #include "flexura/studies/singular_mechanism.hpp"
 
@@ -164,9 +165,7 @@ bool ArcTracer::measure(const ArcState& at, std::vector<double>& errors, double&
   const bool solved = arc.step(start, 0.0, finer_state_);
   path_.iterations += arc.iterations();
   if (!solved) return false;
-  double ratio = 1.0;
-  for (const auto& member : system().layout().members)
-    ratio = std::max(ratio, member.port->error_ratio());
+  const double ratio = error_ratio(system());
   errors.clear();
   for (const TrackedPoint& point : points_) {
     const Vec2 here = system().moved_point(point.body, point.drawn, at.z);

@@ -8,6 +8,7 @@
 
 #include "flexura/modelings/make_system.hpp"
 #include "flexura/studies/arc_tracer.hpp"
+#include "flexura/studies/error_estimate.hpp"
 #include "flexura/studies/mode_shape.hpp"
 #include "flexura/studies/singular_mechanism.hpp"
 
@@ -91,6 +92,8 @@ class Buckling {
   TracedPath trace(const std::vector<double>& estimates, int refinements) const;
   void add_critical(TracedPath& traced, const TracedEvent& event, double unit);
   bool suffices(const std::optional<double>& error, int refinements) const;
+  std::optional<double> relative_error(const System& system, const std::vector<double>& coarse,
+                                       const std::vector<double>& fine) const;
   void say_none_found(const std::vector<Critical>& linearised);
 
   const Model& model_;
@@ -117,14 +120,17 @@ ModelingModes Buckling::run() {
   return std::move(modes_);
 }
 
-/// Largest relative change from coarse to fine over the values that both have, up to `count`;
-/// absent without any.
-std::optional<double> relative_change(const std::vector<double>& coarse,
-                                      const std::vector<double>& fine, int count) {
+/// By the largest relative change from coarse to fine over the values that both have, up to the
+/// study's count; absent without any.
+std::optional<double> Buckling::relative_error(const System& system,
+                                               const std::vector<double>& coarse,
+                                               const std::vector<double>& fine) const {
   std::optional<double> worst;
-  const std::size_t both = std::min({coarse.size(), fine.size(), static_cast<std::size_t>(count)});
+  const std::size_t both =
+      std::min({coarse.size(), fine.size(), static_cast<std::size_t>(study_.count)});
   for (std::size_t i = 0; i < both; ++i)
-    worst = std::max(worst.value_or(0.0), std::abs(coarse[i] / fine[i] - 1.0));
+    worst =
+        std::max(worst.value_or(0.0), error_ratio(system) * std::abs(coarse[i] / fine[i] - 1.0));
   return worst;
 }
 
@@ -149,7 +155,7 @@ void Buckling::run_linearised(std::unique_ptr<System> system) {
     if (!finer) break;
     std::vector<Critical> more = linearised_factors(*finer);
     modes_.error_estimate =
-        relative_change(positive_factors(found), positive_factors(more), study_.count);
+        relative_error(*system, positive_factors(found), positive_factors(more));
     if (suffices(modes_.error_estimate, refinements)) break;
     system = std::move(finer);
     found = std::move(more);
@@ -218,7 +224,7 @@ void Buckling::run_along_path(System& system) {
   for (int refinements = 0; traced.systems.back()->refined(); ++refinements) {
     TracedPath finer = trace(estimates, refinements + 1);
     modes_.error_estimate =
-        relative_change(critical_factors(traced), critical_factors(finer), study_.count);
+        relative_error(*traced.systems.back(), critical_factors(traced), critical_factors(finer));
     if (suffices(modes_.error_estimate, refinements)) break;
     traced = std::move(finer);
   }

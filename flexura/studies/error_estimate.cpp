@@ -48,4 +48,11 @@ void ErrorEstimate::calibrate(const std::vector<double>& distances, double first
   largest_first_step_ = first_step * std::clamp(margin, 2.0, 50.0);
 }
 
+double error_ratio(const System& system) {
+  double ratio = 1.0;
+  for (const auto& member : system.layout().members)
+    ratio = std::max(ratio, member.port->error_ratio());
+  return ratio;
+}
+
 }  // namespace flexura

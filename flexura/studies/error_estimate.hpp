@@ -34,4 +34,8 @@ class ErrorEstimate {
   std::vector<double> step_;
 };
 
+/// What a change from a system to its refined one has to be multiplied by to be the error: the
+/// largest of its flexures' (TwoPort::error_ratio).
+double error_ratio(const System& system);
+
 }  // namespace flexura

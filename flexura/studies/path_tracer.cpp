@@ -52,10 +52,10 @@ class PathTracer {
   void record(const Stepping& stepping, double load_factor, std::vector<double> errors);
   std::vector<double> measure_errors(const std::vector<double>& z) const;
   double measure_reaction_error(const std::vector<double>& z);
-  double error_ratio() const;
   bool is_accurate(const std::vector<double>& errors, const std::vector<double>& z);
   void note_changes(const Stepping& stepping);
   void stop(const SteppingSummary& summary);
+  std::optional<double> stability_lost() const;
   Termination singular_start();
 
   const Model& model_;
@@ -172,19 +172,12 @@ bool PathTracer::settle_load_ratios(Stepping& stepping) {
 std::vector<double> PathTracer::measure_errors(const std::vector<double>& z) const {
   const System& coarse = *path_.systems.back();
   std::vector<double> errors;
-  const double ratio = error_ratio();
+  const double ratio = error_ratio(coarse);
   for (const TrackedPoint& point : points_)
     errors.push_back(ratio * norm(estimate_->finer().moved_point(point.body, point.drawn,
                                                                  estimate_->finer_state()) -
                                   coarse.moved_point(point.body, point.drawn, z)));
   return errors;
-}
-
-double PathTracer::error_ratio() const {
-  double ratio = 1.0;
-  for (const auto& member : path_.systems.back()->layout().members)
-    ratio = std::max(ratio, member.port->error_ratio());
-  return ratio;
 }
 
 /// Where the points are driven, what is uncertain is the force that it takes.
@@ -208,7 +201,7 @@ double PathTracer::measure_reaction_error(const std::vector<double>& z) {
   double worst = 0.0;
   if (force_size > 0.0) worst = force_error / force_size;
   if (moment_size > 0.0) worst = std::max(worst, moment_error / moment_size);
-  return error_ratio() * worst;
+  return error_ratio(system()) * worst;
 }
 
 bool PathTracer::is_accurate(const std::vector<double>& errors, const std::vector<double>& z) {
@@ -252,13 +245,10 @@ void PathTracer::stop(const SteppingSummary& summary) {
         "limit point at load factor {0:.6g}: along this path the mechanism carries no more of its "
         "loads, and snaps away. Scale the loads by {1:.4g} or less",
         summary.load_factor, rounded_down(summary.load_factor));
-    const auto lost = std::find_if(path_.events.begin(), path_.events.end(), [](const auto& event) {
-      return event.kind == "stability lost";
-    });
-    if (lost != path_.events.end())
+    if (const auto lost = stability_lost())
       path_.termination.reason += fmt::format(
           "; but it has been unstable from load factor {:.6g} on, and leaves this path there",
-          lost->load_factor);
+          *lost);
     return;
   }
   path_.termination.reason = fmt::format(
@@ -266,6 +256,19 @@ void PathTracer::stop(const SteppingSummary& summary) {
       "path could not be followed by arc length either. Smaller loads, more steps, or another "
       "modeling will show where the path leads",
       summary.load_factor);
+  if (const auto lost = stability_lost())
+    path_.termination.reason += fmt::format(
+        "; it has been unstable from load factor {:.6g} on, where a mechanism with the smallest "
+        "imperfection leaves this path: control = \"arc_length\" with `branch`, or a shape that is "
+        "off by a little, follows it",
+        *lost);
+}
+
+/// The load factor at which the path has first become unstable.
+std::optional<double> PathTracer::stability_lost() const {
+  for (const TracedEvent& event : path_.events)
+    if (event.kind == "stability lost") return event.load_factor;
+  return {};
 }
 
 Termination PathTracer::singular_start() {
