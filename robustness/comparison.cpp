@@ -17,8 +17,9 @@ constexpr double alike = 1e-6;  // relative
 struct PathEndState {
   bool limit = false;
   double load_factor = 0.0;
-  double estimate = 0.0;    ///< of the last state's points (length)
-  std::vector<Pose> poses;  ///< of the moving bodies
+  double critical = INFINITY;  ///< load factor at which the path first turns critical
+  double estimate = 0.0;       ///< of the last state's points (length)
+  std::vector<Pose> poses;     ///< of the moving bodies
 };
 
 std::vector<Pose> poses_of(const Model& model, const System& system, const std::vector<double>& z) {
@@ -33,6 +34,8 @@ std::optional<PathEndState> end_of(const Model& model, const TracedPath& path) {
   PathEndState end;
   for (const double error : path.states.back().errors) end.estimate = std::max(end.estimate, error);
   for (const TracedEvent& event : path.events) {
+    if (event.kind == "stability lost" || event.kind == "limit point")
+      end.critical = std::min(end.critical, event.load_factor);
     if (event.kind != "limit point") continue;
     end.limit = true;
     end.load_factor = event.load_factor;
@@ -68,6 +71,12 @@ bool same_end(const PathEndState& a, const PathEndState& b, const std::vector<Po
   return difference(a, b, start, length) <= allowed;
 }
 
+/// Beyond the first critical state several branches lead on, and rounding decides; up to there both
+/// must agree.
+bool parted_where_critical(const PathEndState& a, const PathEndState& b) {
+  return std::isfinite(a.critical) && std::abs(a.critical - b.critical) <= alike * a.critical;
+}
+
 /// Whether a path by arc length in short steps passes the end: its load factor with its poses.
 bool is_on_branch(const RandomMechanism& mechanism, const PathEndState& end,
                   const std::vector<Pose>& start, double length) {
@@ -101,15 +110,18 @@ void compare_with_elements(const RandomMechanism& mechanism, const TracedPath& e
     return;
   }
   verdict.comparison_note =
-      by_elements ? fmt::format(
-                        "{} {:.9g} by exact, {} {:.9g} by elements, difference {:.2g}, "
-                        "estimates {:.1g} and {:.1g} of a length",
-                        by_exact->limit ? "limit" : "end", by_exact->load_factor,
-                        by_elements->limit ? "limit" : "end", by_elements->load_factor,
-                        difference(*by_exact, *by_elements, start, length),
-                        by_exact->estimate / length, by_elements->estimate / length)
-                  : "elements: " + path.termination.reason;
-  if (is_on_branch(mechanism, *by_exact, start, length)) {
+      by_elements
+          ? fmt::format(
+                "{} {:.9g} by exact, {} {:.9g} by elements, first critical at "
+                "{:.9g} and {:.9g}, difference {:.2g}, "
+                "estimates {:.1g} and {:.1g} of a length",
+                by_exact->limit ? "limit" : "end", by_exact->load_factor,
+                by_elements->limit ? "limit" : "end", by_elements->load_factor, by_exact->critical,
+                by_elements->critical, difference(*by_exact, *by_elements, start, length),
+                by_exact->estimate / length, by_elements->estimate / length)
+          : "elements: " + path.termination.reason;
+  if ((by_elements && parted_where_critical(*by_exact, *by_elements)) ||
+      is_on_branch(mechanism, *by_exact, start, length)) {
     verdict.comparison = Verdict::Comparison::other_branch;
     return;
   }

@@ -6,9 +6,9 @@
 namespace flexura::robustness {
 
 /// Solves once more by geometrically exact beam elements of order 7 and notes how the ends compare.
-/// Where the two ends differ, a path by arc length with short steps says which of them lies on the
-/// branch that leads on from the unloaded state: if it is the end by `exact`, the elements changed
-/// branches; if not, the verdict is taken back.
+/// Ends may differ where both paths first turned critical at the same load factor, since several
+/// branches lead on from there, or where a path by arc length with short steps arrives at the end
+/// by `exact`; otherwise the verdict is taken back.
 void compare_with_elements(const RandomMechanism& mechanism, const TracedPath& exact,
                            Verdict& verdict);
 

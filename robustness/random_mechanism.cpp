@@ -17,22 +17,22 @@ constexpr double degree = std::numbers::pi / 180.0;
 /// The same numbers on every machine, which the distributions of the standard do not promise.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(const std::function<std::uint64_t()>& source) : source_(source) {}
   double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
+    return low + (high - low) * static_cast<double>(source_() >> 11U) * 0x1p-53;
   }
   double log_uniform(double low, double high) {
     return std::exp(uniform(std::log(low), std::log(high)));
   }
   int integer(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+    return low + static_cast<int>(source_() % static_cast<std::uint64_t>(high - low + 1));
   }
   bool chance(double share) { return uniform(0.0, 1.0) < share; }
   double sign() { return chance(0.5) ? 1.0 : -1.0; }
   Vec2 direction() { return unit(uniform(-std::numbers::pi, std::numbers::pi)); }
 
  private:
-  std::mt19937_64 engine_;
+  const std::function<std::uint64_t()>& source_;
 };
 
 struct Stuff {
@@ -59,7 +59,9 @@ ArcAxis arc_between(Vec2 a, Vec2 b, double sweep) {
 
 class Maker {
  public:
-  explicit Maker(std::uint64_t seed) : random_(seed) { mechanism_.seed = seed; }
+  Maker(std::uint64_t seed, const std::function<std::uint64_t()>& source) : random_(source) {
+    mechanism_.seed = seed;
+  }
   RandomMechanism make();
 
  private:
@@ -293,6 +295,14 @@ RandomMechanism Maker::make() {
 
 }  // namespace
 
-RandomMechanism make_random_mechanism(std::uint64_t seed) { return Maker(seed).make(); }
+RandomMechanism make_random_mechanism(std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  return make_random_mechanism(seed, [&engine] { return engine(); });
+}
+
+RandomMechanism make_random_mechanism(std::uint64_t seed,
+                                      const std::function<std::uint64_t()>& source) {
+  return Maker(seed, source).make();
+}
 
 }  // namespace flexura::robustness

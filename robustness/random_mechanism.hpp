@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "flexura/model/model.hpp"
@@ -17,6 +18,10 @@ struct RandomMechanism {
 };
 
 RandomMechanism make_random_mechanism(std::uint64_t seed);
+
+/// Likewise from any source of random bits; `seed` only names it.
+RandomMechanism make_random_mechanism(std::uint64_t seed,
+                                      const std::function<std::uint64_t()>& source);
 
 /// The model as a file for `flexura run`.
 std::string write_model(const RandomMechanism& mechanism);
