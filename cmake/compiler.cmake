@@ -9,7 +9,10 @@ target_compile_options(flexura_options INTERFACE
   # as long.
   $<$<BOOL:${FLEXURA_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all
     -fno-sanitize=null,alignment,vptr,object-size -fno-omit-frame-pointer -Wno-maybe-uninitialized>
+  $<$<BOOL:${FLEXURA_FUZZ}>:-fsanitize=fuzzer-no-link,address,undefined
+    -fno-sanitize-recover=undefined -fno-sanitize=null,alignment,vptr,object-size>
   $<$<BOOL:${FLEXURA_COVERAGE}>:--coverage>)
 target_link_options(flexura_options INTERFACE
   $<$<BOOL:${FLEXURA_SANITIZE}>:-fsanitize=address,undefined>
+  $<$<BOOL:${FLEXURA_FUZZ}>:-fsanitize=address,undefined>
   $<$<BOOL:${FLEXURA_COVERAGE}>:--coverage>)

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 
 #include "apps/flexura/commands.hpp"
@@ -74,6 +75,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file that gets too long is an error of writing, with a message
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -239,6 +239,7 @@ class System {
   std::vector<double> scratch_;
   SymmetricFactor factor_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::VectorXd lu_balance_;
   int eliminated_negative_ = 0;  // negative pivots of all that was eliminated
   double strain_energy_ = 0.0;
   double misfit_rate_ = 0.0;         // of `load_displacement` by the load factor alone

@@ -216,7 +216,9 @@ bool System::factorize() {
     pivot_ratio_ = factor_.pivot_ratio();
     return regular;
   }
-  lu_.compute(k);
+  Eigen::MatrixXd balanced = k;
+  lu_balance_ = balance_rows(balanced);
+  lu_.compute(balanced);
   const Eigen::VectorXd pivots = lu_.matrixLU().diagonal().cwiseAbs();
   pivot_ratio_ = pivots.size() == 0 ? 1.0 : pivots.minCoeff() / pivots.maxCoeff();
   return std::isfinite(pivot_ratio_) && pivot_ratio_ > 0.0;
@@ -225,7 +227,7 @@ bool System::factorize() {
 void System::solve_scaled(Eigen::VectorXd& b) const {
   b.array() *= scale_.head(reduced_).array();
   if (follower_)
-    b = lu_.solve(b).eval();
+    b = lu_balance_.cwiseProduct(lu_.solve(lu_balance_.cwiseProduct(b)));
   else
     factor_.solve(b);
   b.array() *= scale_.head(reduced_).array();

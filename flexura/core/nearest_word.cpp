@@ -72,7 +72,7 @@ std::string suggestion(std::string_view word, std::span<const std::string> valid
   std::string text = "; valid: ";
   for (const std::string& candidate : valid) {
     if (&candidate != valid.data()) text += ", ";
-    text += candidate;
+    text += candidate.size() <= longest_word ? candidate : candidate.substr(0, longest_word) + "..";
   }
   return text;
 }

@@ -12,8 +12,26 @@ void dsytrs_(const char* uplo, const int* n, const int* nrhs, const double* a, c
 
 namespace flexura {
 
+Eigen::VectorXd balance_rows(Eigen::Ref<Eigen::MatrixXd> matrix) {
+  constexpr double alike = 1e-6;
+  constexpr int most_sweeps = 4;
+  Eigen::VectorXd factors = Eigen::VectorXd::Ones(matrix.rows());
+  for (int sweep = 0; sweep < most_sweeps && matrix.rows() > 0; ++sweep) {
+    Eigen::VectorXd sizes = matrix.cwiseAbs().rowwise().maxCoeff();
+    // a row of zeros has no size: the factorization will say what that means
+    if (!sizes.allFinite() || !(sizes.minCoeff() > 0.0) ||
+        sizes.minCoeff() > alike * sizes.maxCoeff())
+      break;
+    sizes = sizes.cwiseSqrt().cwiseInverse();
+    matrix = sizes.asDiagonal() * matrix * sizes.asDiagonal();
+    factors.array() *= sizes.array();
+  }
+  return factors;
+}
+
 bool SymmetricFactor::factorize(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  factor_ = matrix;
+  factor_ = matrix.selfadjointView<Eigen::Lower>();
+  balance_ = balance_rows(factor_);
   const int n = static_cast<int>(matrix.rows());
   negative_ = 0;
   pivot_ratio_ = 1.0;
@@ -54,7 +72,9 @@ void SymmetricFactor::solve(Eigen::Ref<Eigen::VectorXd> b) const {
   if (n == 0) return;
   const int one = 1;
   int info = 0;
+  b.array() *= balance_.array();
   dsytrs_("L", &n, &one, factor_.data(), &n, pivots_.data(), b.data(), &n, &info, 1);
+  b.array() *= balance_.array();
 }
 
 namespace {

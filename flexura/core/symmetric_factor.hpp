@@ -7,11 +7,17 @@
 
 namespace flexura {
 
+/// Scales a square matrix in place to diag(d) A diag(d) and returns d: rows come to be alike in
+/// size where they were not, to a factor of a million. Stiff flexures beside ones whose load stays
+/// unknown make them differ by the square of the slenderness and more, and soft directions would
+/// drown in the rounding of stiff ones. Other matrices stay as they are.
+Eigen::VectorXd balance_rows(Eigen::Ref<Eigen::MatrixXd> matrix);
+
 /// Bunch-Kaufman factorization (LAPACK dsytrf) of a dense symmetric indefinite matrix, with its
-/// inertia.
+/// inertia. Badly scaled rows are balanced first.
 class SymmetricFactor {
  public:
-  /// Reads the lower triangle. False where a pivot vanishes; `smallest_pivot` says how nearly.
+  /// Reads the lower triangle. False where a pivot vanishes; `pivot_ratio` says how nearly.
   bool factorize(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
   void solve(Eigen::Ref<Eigen::VectorXd> b) const;
 
@@ -21,6 +27,7 @@ class SymmetricFactor {
 
  private:
   Eigen::MatrixXd factor_;
+  Eigen::VectorXd balance_;
   std::vector<int> pivots_;
   std::vector<double> work_;
   int negative_ = 0;

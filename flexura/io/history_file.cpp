@@ -146,7 +146,11 @@ HistoryFileReading read_history_file(const std::filesystem::path& path,
                                      const HistoryColumns& columns) {
   const TextReading file = read_text_file(path, columns.file, longest_history_file);
   if (!file.error.empty()) return {{}, {}, file.error, "file"};
-  return ColumnReader(file.text, columns).read();
+  return read_history_text(file.text, columns);
+}
+
+HistoryFileReading read_history_text(std::string_view text, const HistoryColumns& columns) {
+  return ColumnReader(text, columns).read();
 }
 
 }  // namespace flexura

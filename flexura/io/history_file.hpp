@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace flexura {
@@ -28,5 +29,7 @@ struct HistoryFileReading {
 /// wrong comes back as an error; places in the file are "file:line:column".
 HistoryFileReading read_history_file(const std::filesystem::path& path,
                                      const HistoryColumns& columns);
+/// The same of a file's text.
+HistoryFileReading read_history_text(std::string_view text, const HistoryColumns& columns);
 
 }  // namespace flexura

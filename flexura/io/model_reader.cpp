@@ -13,6 +13,7 @@
 #include "flexura/io/read_studies.hpp"
 #include "flexura/io/table_reader.hpp"
 #include "flexura/io/text_checks.hpp"
+#include "flexura/io/text_file.hpp"
 
 namespace flexura {
 namespace {
@@ -167,6 +168,7 @@ ModelReading read_file(const std::filesystem::path& file, const ParameterOverrid
   if (std::filesystem::is_directory(file, error)) {
     return refuse({}, "this is a directory, not a model file");
   }
+  if (is_named_pipe(file)) return refuse({}, "this is a named pipe, not a model file");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return refuse({}, fmt::format("cannot open the file: {}", std::strerror(errno)));

@@ -141,6 +141,14 @@ std::optional<double> read_quantity(Reading& reading, const Place& place,
                    fmt::format("expected a finite number, got {}", describe(*place.node)));
     return {};
   }
+  // Sections go with the fourth power of a thickness: beyond this, sums overflow.
+  constexpr double largest = 1e60;
+  if (std::abs(*value) > largest) {
+    reading.report(place.path, place.node->position,
+                   fmt::format("{} is beyond {:g}, the largest number that is computed with",
+                               describe(*place.node), largest));
+    return {};
+  }
   return value;
 }
 

@@ -10,6 +10,14 @@
 
 namespace flexura {
 
+bool is_named_pipe(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_fifo(path, error)) return false;
+  static_cast<void>(
+      std::filesystem::canonical(path, error));  // a pipe between processes has no place of its own
+  return !error;
+}
+
 TextReading read_text_file(const std::filesystem::path& path, const std::string& shown,
                            std::size_t longest) {
   const auto refuse = [&](const std::string& why) {
@@ -17,6 +25,7 @@ TextReading read_text_file(const std::filesystem::path& path, const std::string&
   };
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return refuse("it is a directory");
+  if (is_named_pipe(path)) return refuse("it is a named pipe");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refuse(std::strerror(errno));

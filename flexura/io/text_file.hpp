@@ -13,6 +13,9 @@ struct TextReading {
   std::string error;
 };
 
+/// Opening a named pipe waits for a writer that may never come; others have theirs.
+bool is_named_pipe(const std::filesystem::path& path);
+
 /// A file of at most `longest` bytes. `shown` is how the user wrote its name, for messages.
 TextReading read_text_file(const std::filesystem::path& path, const std::string& shown,
                            std::size_t longest);

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <fstream>
+#include <map>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -63,6 +65,34 @@ std::string write_whole(const fs::path& file, const std::string& content, const 
   return failure(target, errno != 0 ? cause_of(errno) : "the system gave no reason");
 }
 
+/// Whether a name is one that write_files gave in a process that is gone: it was killed meanwhile.
+bool is_leftover(const std::string& name, const std::string& target) {
+  const std::string start = "." + target + ".";
+  constexpr std::string_view end = ".part";
+  if (!name.starts_with(start) || !name.ends_with(end) || name.size() <= start.size() + end.size())
+    return false;
+  const std::string number = name.substr(start.size(), name.size() - start.size() - end.size());
+  if (number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos)
+    return false;
+  return kill(std::stoi(number), 0) != 0 && errno == ESRCH;
+}
+
+/// Removes them where the files are about to be written.
+void remove_leftovers(const fs::path& folder, const std::vector<OutputFile>& files) {
+  std::map<fs::path, std::vector<fs::path>> found;  // by the folder they are in
+  for (const OutputFile& file : files) {
+    const fs::path target = folder / file.name;
+    const auto [at, is_new] = found.try_emplace(target.parent_path());
+    std::error_code error;
+    if (is_new)
+      for (const auto& entry : fs::directory_iterator(target.parent_path(), error))
+        if (entry.path().extension() == ".part") at->second.push_back(entry.path());
+    for (const fs::path& part : at->second)
+      if (is_leftover(part.filename().string(), target.filename().string()))
+        fs::remove(part, error);
+  }
+}
+
 /// Beside the target, so that the renaming stays on one file system, and of this process only.
 fs::path temporary_name(const fs::path& target) {
   return target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), getpid());
@@ -71,6 +101,7 @@ fs::path temporary_name(const fs::path& target) {
 }  // namespace
 
 WriteOutcome write_files(const fs::path& folder, const std::vector<OutputFile>& files) {
+  remove_leftovers(folder, files);
   Undo undo;
   for (const OutputFile& file : files) {
     const fs::path target = folder / file.name;

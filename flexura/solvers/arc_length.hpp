@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <vector>
@@ -60,6 +61,9 @@ class ArcLength {
   /// The state at the given distance along the tangent, on the plane across it; the problem is then
   /// linearized there.
   bool step(const ArcState& from, double size, ArcState& to);
+  /// Whether the path heads along a step at both of its ends, to within 25 degrees: only a short
+  /// step can leave the path and still do that.
+  bool heads_along(const ArcState& from, const ArcState& to) const;
   /// The limit point between two neighbouring states (see below).
   bool locate(const ArcState& before, double size, ArcState& limit);
   int iterations() const { return iterations_; }
@@ -123,6 +127,19 @@ bool ArcLength<Problem>::step(const ArcState& from, double size, ArcState& to) {
   return false;
 }
 
+template <LoadedProblem Problem>
+bool ArcLength<Problem>::heads_along(const ArcState& from, const ArcState& to) const {
+  std::vector<double> gone = to.z;
+  add_scaled(gone, -1.0, from.z);
+  const double rise = to.load_factor - from.load_factor;
+  const double length = std::sqrt(problem_->inner(gone, gone) + rise * rise);
+  const auto along = [&](const ArcState& state) {
+    return problem_->inner(gone, state.tangent_z) + rise * state.tangent_load;
+  };
+  constexpr double least = 0.906;  // cos 25 degrees
+  return along(from) > least * length && along(to) > least * length;
+}
+
 /// The arc length past `before` at which the load factor stands still, by regula falsi on the
 /// tangent's load component, with bisection every third time. `limit`, the end of that stretch,
 /// becomes the state nearest to it. At the point itself the equations are singular: failing there
@@ -157,21 +174,24 @@ ArcPassage ArcLength<Problem>::pass(const CurvePoint& start, double target) {
   ++iterations_;
   if (!problem_->linearize(here.z) || !set_tangent(here, nullptr)) return passage;
   const double steepness = here.tangent_load;
-  double size = 0.01;
-  for (int k = 0; k < 400 && size > 1e-8; ++k) {
+  int unstable = problem_->unstable_directions();
+  // no longer at first than the load steps that failed, and never past two changes at once
+  double size = std::min(0.01, 1e-4 / steepness);
+  for (int k = 0; k < 400 && size > 1e-9; ++k) {
     State next;
-    if (!step(here, size, next)) {
-      size *= 0.5;
-      continue;
-    }
     // forward at both ends, yet back in between: the step fell onto another part of the path
-    if (next.tangent_load > 0.0 && next.load_factor <= here.load_factor) {
+    if (!step(here, size, next) || !heads_along(here, next) ||
+        (size > 1e-6 && std::abs(problem_->unstable_directions() - unstable) > 1) ||
+        (next.tangent_load > 0.0 && next.load_factor <= here.load_factor)) {
       size *= 0.5;
       continue;
     }
     if (next.tangent_load <= 0.0) {
       State limit = next;
-      if (!locate(here, size, limit) || limit.load_factor <= start.parameter) break;
+      if (!locate(here, size, limit) || limit.load_factor <= start.parameter) {
+        size *= 0.5;
+        continue;
+      }
       passage = {ArcOutcome::limit_point, limit.load_factor, limit.z, iterations_};
       return passage;
     }
@@ -182,6 +202,7 @@ ArcPassage ArcLength<Problem>::pass(const CurvePoint& start, double target) {
       continue;
     }
     here = std::move(next);
+    unstable = problem_->unstable_directions();
     if (here.tangent_load > 2.0 * steepness || k > 60)
       return {ArcOutcome::passed, here.load_factor, here.z, iterations_};
     size = std::min(1.5 * size, 0.05);

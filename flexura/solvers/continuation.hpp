@@ -67,7 +67,6 @@ class Continuation {
   int iterations() const { return arc_.iterations() + iterations_; }
 
  private:
-  bool goes_on(const ArcState& next) const;
   bool locate_features(const ArcState& next, double size, int after);
   bool locate_change(double size, ArcState& at, double& place);
   bool changes_at_once(double place, double size, int after);
@@ -96,24 +95,11 @@ bool Continuation<Problem>::start(double load_factor, const std::vector<double>&
 }
 
 template <BranchingProblem Problem>
-bool Continuation<Problem>::goes_on(const ArcState& next) const {
-  std::vector<double> gone = next.z;
-  add_scaled(gone, -1.0, here_.z);
-  const double rise = next.load_factor - here_.load_factor;
-  const double length = std::sqrt(problem_->inner(gone, gone) + rise * rise);
-  const auto along = [&](const ArcState& state) {
-    return problem_->inner(gone, state.tangent_z) + rise * state.tangent_load;
-  };
-  constexpr double least = 0.906;  // cos 25 degrees
-  return along(here_) > least * length && along(next) > least * length;
-}
-
-template <BranchingProblem Problem>
 bool Continuation<Problem>::advance() {
   features_.clear();
   while (size_ >= options_.smallest_step) {
     ArcState next;
-    if (!arc_.step(here_, size_, next) || !goes_on(next)) {
+    if (!arc_.step(here_, size_, next) || !arc_.heads_along(here_, next)) {
       size_ *= 0.5;
       continue;
     }

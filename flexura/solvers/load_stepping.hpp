@@ -75,7 +75,7 @@ class LoadStepping {
   bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
   bool work_is_smooth(double from, double to, const Energy& now) const;
   void accept(double load_factor, std::vector<double> z, const Energy& energy);
-  void locate_change(double from, double to, int after);
+  bool locate_change(double from, double to, const std::vector<double>& z, int after);
   Energy energy_at(const std::vector<double>& z, std::vector<double>& slope);
   SteppingSummary follow_arc(double target);
 
@@ -134,8 +134,8 @@ SteppingSummary LoadStepping<Problem>::advance(double target) {
     if (next_step_ < options_.smallest_step) {
       if (step_over(target)) break;
       SteppingSummary followed = follow_arc(target);
-      if (followed.outcome != SteppingOutcome::reached) return followed;
       next_step_ = 4.0 * options_.smallest_step;
+      if (followed.outcome != SteppingOutcome::reached) return followed;
     }
   }
   return {SteppingOutcome::reached, target, {}};
@@ -174,8 +174,7 @@ bool LoadStepping<Problem>::try_step(double to) {
       !(goes_on(z) && work_is_smooth(from, to, energy) && middle_fits(to, z, moved, unstable)))
     return false;
   if (unstable != unstable_) {
-    if (to - from > 0.01) return false;
-    locate_change(from, to, unstable);
+    if (to - from > 0.01 || !locate_change(from, to, z, unstable)) return false;
     unstable_ = unstable;
   }
   accept(to, std::move(z), energy);
@@ -245,29 +244,38 @@ void LoadStepping<Problem>::accept(double load_factor, std::vector<double> z,
   points_.push_back({load_factor, std::move(z), slope_});
 }
 
-/// Bisection on the load factor between two states of different stability.
+/// Bisection on the load factor between two states of different stability. False where the states
+/// on both sides of the change do not meet: then a limit point lies between them, and the step has
+/// gone beyond it to another branch.
 template <LoadedProblem Problem>
-void LoadStepping<Problem>::locate_change(double from, double to, int after) {
+bool LoadStepping<Problem>::locate_change(double from, double to, const std::vector<double>& z,
+                                          int after) {
   StabilityChange change{to, unstable_, after, {}};
   double low = from;
   double high = to;
+  std::vector<double> at_low = points_.back().value;
+  std::vector<double> at_high = z;
+  const double moved = problem_->distance(at_low, at_high);
   while (high - low > 1e-11) {
     const double middle = 0.5 * (low + high);
-    std::vector<double> z;
-    extrapolate_hermite(points_, middle, z);
+    std::vector<double> trial;
+    extrapolate_hermite(points_, middle, trial);
     problem_->set_load_factor(middle);
-    const NewtonSummary summary = newton_.solve(*problem_, z);
+    const NewtonSummary summary = newton_.solve(*problem_, trial);
     iterations_ += summary.iterations;
     if (summary.outcome != NewtonOutcome::converged) break;
-    if (problem_->unstable_directions() == unstable_) {
-      low = middle;
-    } else {
-      high = middle;
-      change.z = z;
-    }
+    const bool before = problem_->unstable_directions() == unstable_;
+    (before ? low : high) = middle;
+    (before ? at_low : at_high) = trial;
+    if (!before) change.z = std::move(trial);
   }
+  // at the change itself Newton's method may fail: near it the path is still one
+  if (high - low > 0.01 * (to - from) ||
+      problem_->distance(at_low, at_high) > std::max(0.1 * moved, 1e-7))
+    return false;
   change.load_factor = high;
   changes_.push_back(std::move(change));
+  return true;
 }
 
 /// Where load control fails: either the load factor turns back (a limit point) or the path is

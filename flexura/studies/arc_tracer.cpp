@@ -16,6 +16,7 @@ namespace flexura {
 namespace {
 
 constexpr int steps_per_step = 100;  // taken at most, as a multiple of the study's `steps`
+constexpr int most_steps = 100000;   // each is a state that is kept
 
 class ArcTracer {
  public:
@@ -76,7 +77,7 @@ TracedPath ArcTracer::run(const Model& model, const std::function<bool(double)>&
   }
   record(path);
   path_.termination.status = Status::converged;
-  const int most = steps_per_step * study_.steps;
+  const int most = std::min(steps_per_step * study_.steps, most_steps);
   for (int k = 0; !is_done(path); ++k) {
     if (k == most) {
       path_.termination = {

@@ -47,7 +47,12 @@ class PathTracer {
   }
   System& system() { return *path_.systems.back(); }
   bool estimates() const { return estimate_ && estimate_->available(); }
+  bool may_refine() const {
+    return estimates() && chooses_modes(settings_) && refinements_left_ > 0;
+  }
+  SteppingSummary advance(Stepping& stepping, double load_factor);
   bool settle(Stepping& stepping);
+  bool refine(Stepping& stepping);
   bool settle_load_ratios(Stepping& stepping);
   void record(const Stepping& stepping, double load_factor, std::vector<double> errors);
   std::vector<double> measure_errors(const std::vector<double>& z) const;
@@ -94,7 +99,7 @@ TracedPath PathTracer::run() {
   path_.termination.status = Status::converged;
   for (int step = 1; step <= steps; ++step) {
     const double load_factor = step == steps ? 1.0 : static_cast<double>(step) / steps;
-    const SteppingSummary summary = stepping.advance(load_factor);
+    const SteppingSummary summary = advance(stepping, load_factor);
     note_changes(stepping);
     if (summary.outcome != SteppingOutcome::reached) {
       stop(summary);
@@ -139,17 +144,42 @@ bool PathTracer::settle(Stepping& stepping) {
       reaction_error_ = measure_reaction_error(z);
       if (is_accurate(errors_, z)) return true;
     }
-    if (!chooses_modes(settings_) || refinements_left_ == 0) return true;
-    --refinements_left_;
-    const System& coarse = system();
-    path_.systems.push_back(estimate_->release());
-    stepping.change_problem(system(), [&coarse, this](const std::vector<double>& v) {
-      return coarse.prolong(v, system());
-    });
-    if (!stepping.correct()) return false;
-    estimate_ = std::make_unique<ErrorEstimate>(system());
+    if (!may_refine()) return true;
+    if (!refine(stepping)) return false;
   }
   return true;
+}
+
+/// Goes on by the finer system; false where it has no equilibrium near the last state.
+bool PathTracer::refine(Stepping& stepping) {
+  --refinements_left_;
+  const System& coarse = system();
+  path_.systems.push_back(estimate_->release());
+  stepping.change_problem(system(), [&coarse, this](const std::vector<double>& v) {
+    return coarse.prolong(v, system());
+  });
+  estimate_ = std::make_unique<ErrorEstimate>(system());
+  return stepping.correct();
+}
+
+/// On to the next load factor. Where a path seems to end in between, it may only be the end of what
+/// so few modes can follow: an end counts once the next finer system ends there, too.
+SteppingSummary PathTracer::advance(Stepping& stepping, double load_factor) {
+  SteppingSummary summary = stepping.advance(load_factor);
+  while (summary.outcome != SteppingOutcome::reached && may_refine()) {
+    const SteppingSummary before = std::move(summary);
+    note_changes(stepping);  // while they belong to this system
+    if (!refine(stepping)) {
+      path_.systems.pop_back();
+      return before;
+    }
+    summary = stepping.advance(load_factor);
+    const double moved = std::abs(summary.load_factor - before.load_factor);
+    if (summary.outcome == SteppingOutcome::limit_point && before.outcome == summary.outcome &&
+        moved <= 0.3 * settings_.tolerance * summary.load_factor)
+      break;
+  }
+  return summary;
 }
 
 /// Howell's parameters depend on the load each flexure carries: solves again until they agree.

@@ -78,7 +78,7 @@ TEST(House, EverySourceKeepsToItsRoom) {
 
 TEST(House, EverySourceIsTidy) {
   for (const std::string& file :
-       sources_in({"flexura", "apps", "tests", "verification", "benchmarks"}))
+       sources_in({"flexura", "apps", "tests", "verification", "benchmarks", "robustness", "fuzz"}))
     EXPECT_EQ(joined(hygiene_offences(file, read_text(file))), "");
 }
 
