@@ -1,0 +1,28 @@
+"""The list of pages, and the book written to docs/verification."""
+
+import time
+
+import cantilevers
+from runs import TOP, Flexura
+
+FOLDER = TOP / "docs/verification"
+PAGES = {"tip_load": cantilevers.tip_load, "roll_up": cantilevers.roll_up}
+
+
+def write_page(page, folder):
+    (folder / "images").mkdir(parents=True, exist_ok=True)
+    for file, drawing in page.figures.items():
+        (folder / "images" / file).write_text(drawing)
+    (folder / f"{page.name}.md").write_text(page.markdown())
+
+
+def write(command, tests, names):
+    flexura = Flexura(command)
+    made = []
+    for name in names or PAGES:
+        started = time.monotonic()
+        page = PAGES[name](flexura)
+        write_page(page, FOLDER)
+        made.append(page)
+        print(f"{name}: {time.monotonic() - started:.1f} s")
+    return all(p.kept for page in made for p in page.promises)

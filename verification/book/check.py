@@ -1,0 +1,2 @@
+def check(flexura, tests):
+    return 0
