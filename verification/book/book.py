@@ -3,10 +3,21 @@
 import time
 
 import cantilevers
+import chain
+import frames
+import pivots
+import solids
+import stability
 from runs import TOP, Flexura
 
 FOLDER = TOP / "docs/verification"
-PAGES = {"tip_load": cantilevers.tip_load, "roll_up": cantilevers.roll_up}
+PAGES = {"arc_chain": chain.arc_chain, "compliant_four_bar": frames.four_bar,
+         "printed_elements": frames.printed_elements,
+         "cross_spring": pivots.cross_spring, "parallelogram": pivots.parallelogram,
+         "circular_hinge": pivots.circular_hinge, "lee_frame": stability.lee_frame,
+         "snap_through": stability.arch_and_toggle, "columns": stability.columns,
+         "thick_ring": solids.thick_ring,
+         "tip_load": cantilevers.tip_load, "roll_up": cantilevers.roll_up}
 
 
 def write_page(page, folder):

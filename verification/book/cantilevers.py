@@ -89,12 +89,12 @@ def tip_load(flexura):
     growth(page, found, truth)
     page.text("""Howell's pseudo-rigid-body model and Su's are fitted over large deflections and are
     not right for small ones; equal springs and `bcm` are right there and drift off. `bcm` is made
-    for deflections up to a tenth of the length. `linear` knows nothing of the shortening.""")
+    for deflections up to a tenth of the length. `linear` knows nothing of the shortening. `prbm` and
+    `bcm` have no shear strain, and `prbm` does not stretch: by that alone they are some 1e-4 off.""")
     sweeps = measure.standard_sweeps() + [
-        named_sweep("von_karman", [2, 4, 8, 16, 32, 64], name="beam", theory="von_karman"),
-        named_sweep("bcm chain", [1, 2, 4, 8, 16, 32], name="bcm")]
+        named_sweep("von_karman", [2, 4, 8, 16, 32, 64], name="beam", theory="von_karman")]
     convergence(page, measure.run_sweeps(flexura, model, study, sweeps, error_of),
-                "the tip, theory iii", {**TWICE, "von_karman": "2", "bcm chain": "3, then 1"})
+                "the tip, theory iii", {**TWICE, "von_karman": "2"})
     return page
 
 
@@ -150,5 +150,5 @@ def roll_up(flexura):
               named_sweep("von_karman", [16, 32, 64, 128], name="beam", theory="von_karman")]
     convergence(page, measure.run_sweeps(flexura, model, runs.study(model, "roll"), sweeps,
                                          error_of), "the tip",
-                {**TWICE, "von_karman": "2", "bcm chain": ""})
+                {**TWICE, "von_karman": "2", "bcm chain": "3"})
     return page

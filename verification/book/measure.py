@@ -91,6 +91,7 @@ def run_sweeps(flexura, model, study, sweeps, error_of):
     """For each sweep its sizes, unknowns and errors, of those runs that converged."""
     chosen = [m for sweep in sweeps for m in sweep.modelings()]
     changed = {**study, "modelings": chosen}
+    changed.pop("reference", None)
     if study["kind"] == "path":
         changed["estimate"] = False
     runs = flexura.run(model, changed)
@@ -111,8 +112,8 @@ def shown(points):
 
 
 def observed_order(points):
-    """The slope between the last two points above the floor; None where there are not two."""
-    kept = [(size, error) for size, _, error in shown(points) if error < 0.05]
+    """The slope between the last two points well above the floor; None where there are not two."""
+    kept = [(size, error) for size, _, error in points if 100.0 * FLOOR < error < 0.05]
     if len(kept) < 2:
         return None
     (a, ea), (b, eb) = kept[-2:]
@@ -124,7 +125,7 @@ def convergence(page, found, what, expected=None):
     page.section("Convergence")
     series = [Series(sweep.name, [(u, e) for _, u, e in shown(points)], "marks", k)
               for k, (sweep, points) in enumerate(found)]
-    page.figure("convergence", f"Error of {what} against unknowns",
+    page.figure("convergence", f"Error of {what}, over unknowns",
                 plot(series, "unknowns", "error", True, True))
     rows = []
     for sweep, points in found:

@@ -170,11 +170,24 @@ def load_arrows(frame, model, loads, rows):
 
 
 def stations(run):
-    """Places along every flexure at the last state of a run."""
+    """Places along every flexure at the last state of a run, and a smooth line through them."""
     lines = {}
     for row in run.table("members"):
         lines.setdefault(row["flexure"], []).append((row["x"], row["y"]))
-    return lines
+    return {name: smooth(line) for name, line in lines.items()}
+
+
+def smooth(points, between=4):
+    """Points on the cubic (Catmull and Rom's) through all of a line's."""
+    ends = [points[0], *points, points[-1]]
+    line = []
+    for a, b, c, d in zip(ends, ends[1:], ends[2:], ends[3:]):
+        for k in range(between):
+            t = k / between
+            line.append(tuple(q + 0.5 * t * (r - p + t * (2 * p - 5 * q + 4 * r - s
+                                                         + t * (3 * (q - r) + s - p)))
+                              for p, q, r, s in zip(a, b, c, d)))
+    return [*line, points[-1]]
 
 
 def fixed_bodies(model):
