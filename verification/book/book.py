@@ -4,7 +4,10 @@ import time
 
 import cantilevers
 import chain
+import columns
 import frames
+import linkages
+import motion
 import pivots
 import solids
 import stability
@@ -15,8 +18,11 @@ PAGES = {"arc_chain": chain.arc_chain, "compliant_four_bar": frames.four_bar,
          "printed_elements": frames.printed_elements,
          "cross_spring": pivots.cross_spring, "parallelogram": pivots.parallelogram,
          "circular_hinge": pivots.circular_hinge, "lee_frame": stability.lee_frame,
-         "snap_through": stability.arch_and_toggle, "columns": stability.columns,
+         "snap_through": stability.arch_and_toggle, "columns": columns.columns,
          "thick_ring": solids.thick_ring,
+         "frame_frequencies": motion.frame_frequencies, "frame_history": motion.frame_history,
+         "cantilever_frequencies": motion.cantilever_frequencies, "spin_up": motion.spin_up,
+         "turcic_midha": linkages.turcic_midha,
          "tip_load": cantilevers.tip_load, "roll_up": cantilevers.roll_up}
 
 

@@ -100,8 +100,9 @@ def run_sweeps(flexura, model, study, sweeps, error_of):
         points = []
         for size, label in zip(sweep.sizes, sweep.labels()):
             run = runs[label]
-            if run.converged:
-                points.append((size, run.summary["unknowns"], error_of(run)))
+            error = error_of(run) if run.converged else math.nan
+            if not math.isnan(error):
+                points.append((size, run.summary["unknowns"], error))
         found.append((sweep, points))
     return found
 
@@ -129,6 +130,8 @@ def convergence(page, found, what, expected=None):
                 plot(series, "unknowns", "error", True, True))
     rows = []
     for sweep, points in found:
+        if not points:
+            continue
         order = None if sweep.counted == "modes" else observed_order(points)
         finest = min(points, key=lambda p: p[2])
         wanted = (expected or {}).get(sweep.name)

@@ -1,0 +1,2 @@
+def turcic_midha(flexura):
+    pass
