@@ -159,7 +159,7 @@ def frame_history(flexura):
     page.text("""**The reference is off, not Flexura.** Its own discretisation, in Flexura, gives its
     figures; modal beams and high-order elements by an integrator of order 5 agree on another
     history. What lies between is the phase of the higher modes by the midpoint rule: half the
-    step, nearly a quarter of it. The accuracy that the reference states holds for its mesh and
+    step, a third of it. The accuracy that the reference states holds for its mesh and
     its step.""")
     times_of = [r["time"] for r in found["exact"].table()]
     page.figure("history", "Drop of the coupler's middle over time", plot(
@@ -238,7 +238,7 @@ def cantilever_frequencies(flexura):
     sixth = bernoulli[5] / timoshenko[5] - 1
     page.text(f"""Abaqus's are Euler and Bernoulli's, without rotary inertia: with both effects the
     sixth lies {100 * sixth:.2g} % lower, three hundred times what their digits leave open.""")
-    sweeps = [exact_sweep([4, 5, 6, 8, 10, 12]), beam_sweep(1, [8, 16, 32, 64, 128]),
+    sweeps = [exact_sweep([4, 6, 8, 10, 12, 16, 20]), beam_sweep(1, [8, 16, 32, 64, 128]),
               beam_sweep(2, [4, 8, 16, 32]), beam_sweep(3, [2, 4, 8, 16]),
               beam_sweep(5, [2, 4, 8]),
               Sweep("timoshenko", [4, 8, 16, 32], lambda n: {
@@ -330,20 +330,22 @@ def spin_plot(page, found, truth):
 
 def integrators(page, flexura, model, truth):
     page.section("Convergence")
-    page.text("Of the integrators, by `exact` with 6 modes and fixed steps.")
+    page.text("Of the integrators, by `exact` with 8 modes and fixed steps.")
     series, rows = [], []
     for k, (method, steps) in enumerate({"radau": [0.1, 0.05, 0.025],
                                          "generalized_alpha": [0.04, 0.02, 0.01],
                                          "energy_momentum": [0.04, 0.02, 0.01]}.items()):
         points = []
         for step in steps:
-            run = flexura.run(model, spin_study([modeling("exact", modes=6)], method=method,
+            run = flexura.run(model, spin_study([modeling("exact", modes=8)], method=method,
                                                 step=step))["exact"]
             points.append((step, tip_errors(run, truth)[1] / 0.574))
         series.append(Series(method, points, "marks", k + 1))
-        order = math.log(points[-2][1] / points[-1][1]) / math.log(points[-2][0] / points[-1][0])
+        order = math.log(points[0][1] / points[1][1]) / math.log(points[0][0] / points[1][0])
         rows.append([f"`{method}`", f"{points[-1][0]:g}", scientific(points[-1][1]),
                      f"{order:.2f}"])
     page.figure("steps", "Error of the deflection over the time step",
                 plot(series, "step, s", "error", True, True))
-    page.table(["method", "step", "error", "observed order"], rows)
+    page.table(["method", "finest step", "its error", "observed order"], rows)
+    page.text("""Orders are those of the two coarser steps. `radau` is of order 5 for what its steps
+    resolve, and here meets the reference's own 2e-8 and the modes' share at once.""")

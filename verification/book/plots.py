@@ -69,7 +69,7 @@ def padded_decades(start, end):
 
 
 def round_values(start, end):
-    raw = (end - start) / 5.0
+    raw = (end - start) / 6.5
     size = 10.0 ** math.floor(math.log10(raw))
     step = next(size * m for m in (1, 2, 5, 10) if size * m >= raw)
     first = math.ceil(start / step)
@@ -156,7 +156,7 @@ def plot(all_series, x_title, y_title, log_x=False, log_y=False):
     all_series = [series for series in all_series if series.points]
     width, height = 760, max(380, 110 + 21 * len(all_series))
     words = max(len(series.name) for series in all_series)
-    box = (66, 44, width - 60 - int(7.0 * words), height - 56)
+    box = (66, 44, width - 66 - int(7.3 * words), height - 56)
     xs = [a for series in all_series for a, _ in series.points]
     ys = [b for series in all_series for _, b in series.points]
     x = Scale(xs, box[0], box[2], log_x)
