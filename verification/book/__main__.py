@@ -31,7 +31,7 @@ def main():
     tests = options.tests or str(TOP / "build/release/verification/flexura_verification")
     started = time.monotonic()
     if options.check:
-        return check.check(options.flexura, tests)
+        return check.check(options.flexura)
     kept = book.write(options.flexura, tests, options.pages)
     print(f"{time.monotonic() - started:.0f} s")
     return 0 if kept else 1

@@ -41,6 +41,13 @@ def against_continuum(page, found):
         worst = max(worst, errors["exact"])
         rows.append([f"`{case}`"] + [share(errors[n]) for n in labels])
     page.table(["load case"] + [f"`{n}`" for n in labels], rows)
+    for label in ("linear", "scmbm", "prbm", "exact"):
+        errors = {case: path_error(by_label[label].table(), by_label["continuum"].table(), PLACE)
+                  for case, by_label in found.items()}
+        easy = [off for case, off in errors.items() if not case.startswith("lc4")]
+        page.facts[label] = f"{share(min(easy))} to {share(max(easy))}"
+        page.facts[f"{label} lc4"] = " and ".join(
+            share(errors[case]) for case in ("lc4_plus", "lc4_minus"))
     page.promise("E against the continuum, eight load cases", "exact", worst, 5e-4)
 
 

@@ -77,6 +77,10 @@ def four_bar(flexura):
         page.section(f"Modelings, {force} N")
         truth = truth_of(force)
         modeling_table(page, found[study], lambda run, t=truth: path_error(run.table(), t, FULL))
+    for study, force in FORCES:
+        for label in ("linear", "exact_no_shear", "von_karman"):
+            off = path_error(found[study][label].table(), truth_of(force), FULL)
+            page.facts[f"{label} {force}"] = share(off)
     printed = path_error(found["large"]["printed"].table(), truth_of("5.6"), FULL)
     page.text(f"""Errors are the largest distance of the left corner from theory iii, by its largest
     displacement. At 0.28 N the linear theory misses the drop of the corners and hardly anything
@@ -148,6 +152,8 @@ def locking(page, flexura, model):
                       Series("von_karman", better, "marks", 1)], "elements a link", "error",
                      True, True))
     missing = 1.0 - middle(found["printed_1"])[0] / sway[0]
+    page.facts.update({"missing 1": f"{100 * missing:.3g} %", "von_karman 16": share(better[4][1]),
+                       "off 16": share(curve[4][1])})
     page.text(f"""A linear u cannot follow w'²/2 of a quintic w. With one element a link
     {100 * missing:.3g} % of the sway is missing, with 16 still {100 * curve[4][1]:.2g} %; with 256
     {100 * curve[-1][1]:.2g} % (axes that do not turn leave a rest for good). `von_karman` has the
@@ -168,6 +174,7 @@ def limit_load(page, flexura, model):
     page.text("""The same kinematics as a continuum, solved by collocation in the reference data,
     carry no more than 1.780 N (±0.001). The true frame carries 28 N and stiffens (study `collapse`
     of the example). Coarse meshes hide the false limit load, for they lock.""")
+    page.facts["limit"] = f"{last:.3f} N"
     page.promise("false limit load, 1.780 ± 0.001 N, relative", "printed", abs(last / 1.780 - 1.0),
                  2e-3)
 

@@ -6,6 +6,7 @@ import re
 import runs
 from measure import relative
 from pages import Page, scientific, share
+from pictures import picture
 from plots import Series, plot
 
 MODEL = "examples/turcic_midha_four_bar.toml"
@@ -107,6 +108,7 @@ def methods(page, flexura, model):
                 plot(series, "crank angle, deg", "strain, 1e-6"))
     page.promise("`transient` from `periodic`, strains", "transient",
                  summary["modelings"]["transient"]["difference"], 1e-5)
+    page.facts["speeds"] = pairs
     return float(pairs[-1][0])
 
 
@@ -117,6 +119,8 @@ def veering(page, flexura, model):
             study = runs.study(model, "elements_9", methods=["periodic", "midha"],
                                midha={"modes": modes, "continuity": continuity})
             summary, _ = rows_of(flexura, model, study)
+            page.facts[f"{continuity} {modes}"] = share(
+                summary["modelings"]["midha"]["difference"])
             rows.append([continuity, modes, share(summary["modelings"]["midha"]["difference"])])
     page.table(["continuity of", "modes", "strains, from `periodic`"],
                [["displacements" if c == "physical" else "modal coordinates", m, off]
@@ -128,6 +132,7 @@ def turcic_midha(flexura):
     model = runs.load_model(MODEL)
     page.text("""A crank-rocker of aluminium strips, 1 in wide, turns at 300 rpm; all links are
     elastic. Frequencies over the turn, the periodic vibration and its strains.""")
+    page.figure("picture", "The drawn position; crank, coupler and follower", picture(model))
     page.section("Source and reference")
     page.text("""Turcic and Midha (ASME J. Dyn. Syst. Meas. Control 106, 1984), Part I, table 2 (the
     third source). Its figures cannot be read to better than a few per cent. Reference: [an independent

@@ -71,6 +71,8 @@ def frame_frequencies(flexura):
                  worst_frequency(found["exact"], truth), 2e-7)
     linear = flexura.run(model, runs.study(model, "frequencies", reference=None, modelings=[
         modeling("exact", "exact", axial=True, shear=False)]))["exact"]
+    for k, (a, b) in enumerate(zip(frequencies(linear), frequencies(found["exact"]))):
+        page.facts[f"mode {k + 1}"] = [f"{b:.4f}", f"{a:.4f}", f"{25 * (a - b):.2g}"]
     page.promise("the same by Euler and Bernoulli's theory", "exact without shear",
                  worst_frequency(linear, reference["EB_exact_dynamic_stiffness"]), 1e-7)
     path = {"sway": runs.study(model, "sway", modelings=[modeling("exact")])}
@@ -155,6 +157,8 @@ def frame_history(flexura):
     page.promise("the reference by its own discretisation, along x", "beam", own[0], 1e-4)
     page.promise("the same along y", "beam", own[1], 2e-3)
     agreed = list(off.values())[1]
+    page.facts.update({name: f"{share(off[name][0])} along x, {share(off[name][1])} along y"
+                       for name in off})
     page.promise("two discretisations by `radau`, along x", "exact, beam", agreed[0], 1e-4)
     page.text("""**The reference is off, not Flexura.** Its own discretisation, in Flexura, gives its
     figures; modal beams and high-order elements by an integrator of order 5 agree on another
@@ -162,10 +166,16 @@ def frame_history(flexura):
     step, a third of it. The accuracy that the reference states holds for its mesh and
     its step.""")
     times_of = [r["time"] for r in found["exact"].table()]
-    page.figure("history", "Drop of the coupler's middle over time", plot(
-        [Series("exact", list(zip(times_of, [y for _, y in truth])), "line", 1),
-         Series("reference", list(zip(times_of, [y for _, y in table])), "dashed", 2)],
+    page.figure("history", "Displacement of the coupler's middle along y", plot(
+        [Series("exact", list(zip(times_of, [y for _, y in truth])), "line", 1)],
         "time, s", "y, m"))
+    largest = max(abs(y) for _, y in truth)
+    others = [("reference", table, 2), ("same in Flexura", coupler_middle(copied), 5),
+              ("beam order 5, radau", coupler_middle(found["beam_order_5"]), 1)]
+    page.figure("difference", "How far others are from `exact` along y, by its largest", plot(
+        [Series(name, [(t, (a[1] - b[1]) / largest) for t, a, b in zip(times_of, rows_, truth)],
+                "thick" if k == 0 else "line", colour)
+         for k, (name, rows_, colour) in enumerate(others)], "time, s", "difference"))
     return page
 
 
@@ -236,6 +246,9 @@ def cantilever_frequencies(flexura):
                      worst_frequency(run, abaqus), 2e-5)
     page.table(["Hz", *(f"mode {k}" for k in range(1, 7))], rows)
     sixth = bernoulli[5] / timoshenko[5] - 1
+    page.facts["sixth"] = f"{100 * sixth:.2g} %"
+    page.facts["abaqus"] = scientific(worst_frequency(slender, [2 * math.pi * f for f in
+                                                                HERTZ["straight"]]), 2)
     page.text(f"""Abaqus's are Euler and Bernoulli's, without rotary inertia: with both effects the
     sixth lies {100 * sixth:.2g} % lower, three hundred times what their digits leave open.""")
     sweeps = [exact_sweep([4, 6, 8, 10, 12, 16, 20]), beam_sweep(1, [8, 16, 32, 64, 128]),

@@ -63,6 +63,7 @@ class Page:
         self.name, self.title = name, title
         self.models = list(models)
         self.blocks, self.figures, self.promises = [], {}, []
+        self.facts = {}  # figures that the page of findings quotes
 
     def text(self, words):
         lines = [line.strip() for line in words.strip().splitlines()]
@@ -81,6 +82,11 @@ class Page:
 
     def promise(self, what, modeling, error, tolerance):
         self.promises.append(Promise(what, modeling, error, tolerance))
+
+    @property
+    def tightest(self):
+        """The promise that is nearest to being broken."""
+        return max(self.promises, key=lambda p: p.error / p.tolerance)
 
     def verdicts(self):
         if not self.promises:

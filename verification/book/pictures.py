@@ -124,6 +124,22 @@ def ground(frame, flexure, end):
             f'stroke="var(--soft)" stroke-width="1.3" d="M0-16V16{hatch}"/>')
 
 
+def guides(frame, model, places):
+    """A pair of rails beside every body that slides along the ground."""
+    parts = []
+    for joint in model.get("joints", {}).values():
+        if "prismatic" not in joint:
+            continue
+        body, along = joint["prismatic"]["bodies"][1], joint["prismatic"]["direction"]
+        x, y = frame(places[body][0])
+        turn = math.degrees(math.atan2(-along[1], along[0]))
+        parts.append(f'<path transform="translate({x:.1f} {y:.1f}) rotate({turn:.1f})" '
+                     f'fill="none" stroke="var(--soft)" stroke-width="1.3" '
+                     f'd="M-12-6H12M-12 6H12M-9-6l4-5M-2-6l4-5M5-6l4-5M-9 11l4-5M-2 11l4-5M5 '
+                     f'11l4-5"/>')
+    return parts
+
+
 def arrow(frame, at, force):
     """A force that pushes at a place: the arrow's point is there."""
     x, y = frame(at)
@@ -214,5 +230,6 @@ def picture(model, run=None, loads=()):
     for flexure in model["flexures"].values():
         parts += [ground(frame, flexure, end) for end in (0, 1)
                   if flexure["between"][end] in fixed]
+    parts += guides(frame, model, ended)
     parts += load_arrows(frame, model, loads, rows)
     return svg(frame.width, frame.height, parts)
