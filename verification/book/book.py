@@ -12,6 +12,7 @@ import frames
 import linkages
 import motion
 import pivots
+import slider_crank
 import solids
 import stability
 import tests_page
@@ -36,33 +37,36 @@ PAGES = {
     "frame_frequencies": motion.frame_frequencies,
     "frame_history": motion.frame_history,
     "spin_up": motion.spin_up,
+    "slider_crank": slider_crank.slider_crank,
     "turcic_midha": linkages.turcic_midha,
 }
 
 INTRODUCTION = """# The verification book
 
-Flexura against truth from outside: closed forms, published values, and solutions that another method
-found ([static](../../tests/data/reference/static/README.md), [in
-motion](../../tests/data/reference/dynamics/README.md)). A page per case has the problem, its source,
-every modeling that applies beside the reference, and how errors fall as meshes get finer. Every number
-comes from a run; text says what it is and why it is so.
+Flexura against truth from outside: closed forms, published values, and solutions that another
+method found ([static](../../tests/data/reference/static/README.md),
+[in motion](../../tests/data/reference/dynamics/README.md)). A page per case has the problem, its
+source, every modeling that applies beside the reference, and how errors fall as meshes get finer.
+Every number comes from a run; text says what it is and why it is so.
 
     python3 verification/book
 
-makes the whole book anew, in some minutes, from a release build (`build/release`); names of pages after
-it make those alone, `tests` the figures of the tests. It needs Python 3.11 and nothing else. A second run
-on the same machine changes nothing but timings, which all carry the sign ×."""
+makes the whole book anew, in three minutes or so of an idle machine, from a release build
+(`build/release`); names of pages after it make those alone, `tests` the figures of the tests. It
+needs Python 3.11 and nothing else. A second run on the same machine changes nothing but timings,
+which all carry the sign ×. `--check` takes seconds and is the test `VerificationBook`."""
 
-AFTER_TABLE = """One row per case: the promise that is nearest to being broken; its page has them all.
-Promises are those of the tests or tighter, and the book's command fails where one is broken."""
+AFTER_TABLE = """One row per case: the promise that is nearest to being broken, by the best
+modeling; its page has them all. Where a test makes the same comparison, the promise is the test's.
+The book's command fails where one is broken."""
 
 READING = """## How to read it
 
 - **Errors** are relative where nothing else is said: the largest distance of a place from the
   reference over all states, by its largest displacement. Below 1e-13 rounding has the word.
 - **Its own estimate** is what Flexura says of its discretization error, without the reference.
-- **Cost** is the time of a path, with that estimate, as a multiple of `exact`'s in the same run, to one
-  digit; such times scatter by a factor of two or so. Machine: {machine}.
+- **Cost** is the time of a path, with that estimate, as a multiple of `exact`'s in the same run, to
+  one digit; such times scatter by a factor of two or so. Machine: {machine}.
 - **Orders** count elements: an error that falls as h^p has order p."""
 
 
@@ -94,8 +98,8 @@ def index(pages, record):
     failed = record["failures"]
     tests = (f"## Tests\n\n[What the verification tests measured](tests.md): {record['tests']} "
              f"tests, {figures} figures, {failed} failed, by file and test.")
-    found = ("## Findings\n\n[Findings on the sources](findings.md): what three sources print, what "
-             "of it holds, and where Flexura itself falls short.")
+    found = ("## Findings\n\n[Findings on the sources](findings.md): what three sources print, "
+             "what of it holds, and where Flexura itself falls short.")
     rows = table(["case", "promise", "by", "error", "promised", "verdict"], summary_rows(pages))
     return "\n\n".join([INTRODUCTION, "## Cases", rows, AFTER_TABLE, found, tests,
                         READING.format(machine=machine())]) + "\n"

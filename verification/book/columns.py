@@ -101,10 +101,10 @@ def directions(page, flexura, model):
     page.promise("the same, drawn along y", "exact",
                  max(worst_of(run) for run in results["along y"].values()), 1e-6)
     page.text("""Found as bifurcations along the loaded path, the loads of the columns that stand
-    along y are 1e-9 to 4e-7 off, those of columns along x are not: cos 90° is 6e-17 in the computer,
-    so that a column along y is bent by as little, a bifurcation becomes a narrow miss, and where
-    the sign of a pivot changes moves by a fractional power of that. A tighter `tolerance` makes it no
-    better; the own estimate sees most of it.""")
+    along y are 1e-9 to 4e-7 off, those of columns along x are not: cos 90° is 6e-17 in the
+    computer, so that a column along y is bent by as little, a bifurcation becomes a narrow miss,
+    and where the sign of a pivot changes moves by a fractional power of that. A tighter
+    `tolerance` makes it no better; the own estimate sees most of it.""")
 
 
 def haringx(page, flexura, model):
@@ -122,8 +122,8 @@ def haringx(page, flexura, model):
               modeling("beam", "von_karman", theory="von_karman"), modeling("beam"),
               modeling("exact")]
     found = flexura.run(drawn, {**study, "modelings": chosen})
-    page.text(f"""The free column, drawn along x, gives way at {truth:.9f}, of which Euler's theory is
-    {100 * (euler / truth - 1):.2g} % too high.""")
+    page.text(f"""The free column, drawn along x, gives way at {truth:.9f}, of which Euler's
+    theory is {100 * (euler / truth - 1):.2g} % too high.""")
     basis = found["exact"].summary["seconds"]
     page.table(["modeling", "load", "error", "unknowns", "cost by `exact`"],
                [[f"`{label}`", f"{run.summary['load_factors'][0]:.9f}", share(error_of(run)),

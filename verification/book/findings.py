@@ -4,19 +4,20 @@ import runs
 from pages import Page, share
 from runs import modeling
 
-FOUR_BAR, PRINTED = "[compliant four-bar](compliant_four_bar.md)", "[as printed](printed_elements.md)"
+FOUR_BAR = "[compliant four-bar](compliant_four_bar.md)"
+PRINTED = "[as printed](printed_elements.md)"
 
 
 def tests(*names):
-    return "tests " + ", ".join(f"`{name}`" for name in names) + " ([figures](tests.md))"
+    return "(tests " + ", ".join(f"`{name}`" for name in names) + ", [figures](tests.md))"
 
 
 def first_source(page, pages):
     frame, printed = pages["compliant_four_bar"].facts, pages["printed_elements"].facts
     page.section("The first source: elements for compliant mechanisms")
     page.text(""""An Effective Finite Element Method for Beam Based Compliant Mechanism". More in
-    [printed elements](../printed_elements.md) and [motion](../motion.md#findings-on-the-first-source-and-its-reference).
-    """)
+    [printed elements](../printed_elements.md) and
+    [motion](../motion.md#findings-on-the-first-source-and-its-reference).""")
     page.table(["what it says", "what holds", "shown by"], [
         ["quintic interpolation, eq. 35 d", "misprinted powers; 10 x³ − 15 x⁴ + 6 x⁵",
          f"{PRINTED}: equal to an independent assembly of the corrected one"],
@@ -25,7 +26,7 @@ def first_source(page, pages):
          f"u that gives way {printed['von_karman 16']}", PRINTED],
         ["strains in axes fixed to the drawn member, eqs. 14 to 19",
          f"for small rotations only: a false limit load at {printed['limit']}; the true frame "
-         "carries 28 N and stiffens", f"{PRINTED}; "
+         "carries 28 N and stiffens", f"{PRINTED} "
          + tests("PrintedBeam.HasAFalseLimitLoad")],
         ["shear angle as an unknown of its own, eq. 21", "occurs in the shear energy alone, so it "
          "takes that energy out: the elements are Euler and Bernoulli's",
@@ -44,17 +45,18 @@ def first_source(page, pages):
 def history(page, pages):
     modes = pages["frame_frequencies"].facts
     page.text("""**Euler and Bernoulli's frame runs ahead of Timoshenko's**
-    ([frequencies](frame_frequencies.md)). So over the 25 s of the source's figures 11 and 12 histories
-    by the two theories agree in shape, and in phase in the first mode alone.""")
+    ([frequencies](frame_frequencies.md)). So over the 25 s of the source's figures 11 and 12
+    histories by the two theories agree in shape, and in phase in the first mode alone.""")
     page.table(["mode", "with shear and rotary inertia, rad/s", "without", "ahead after 25 s, rad"],
                [[name.split()[1], *cells] for name, cells in modes.items()])
     off = pages["frame_history"].facts
     names = list(off)
     page.text(f"""**The history to compare with claims more than it holds**
-    ([step response](frame_history.md)). It states 1e-4 along x and 2e-3 along y. Its own discretisation
-    in Flexura differs from it by {off[names[4]]} over the first second; from the converged solution it
-    is {off[names[0]]} off, while two other discretisations agree on that to {off[names[1]]}. It is its
-    time step that is off, and the claim is that of its mesh. Over all 5 s:
+    ([step response](frame_history.md)). It states 1e-4 along x and 2e-3 along y. Its own
+    discretisation in Flexura differs from it by {off[names[4]]} over the first second. Its
+    distance from the converged solution is {off[names[0]]}, while two other discretisations agree
+    on that to {off[names[1]]}. So it is right for its mesh and its time step, and not beyond;
+    over all 5 s it is further off
     {tests("FrameHistory.ConvergedSolutionsAgreeAndTheReferenceIsItsTimeStepOff")}.""")
 
 
@@ -62,24 +64,24 @@ def second_source(page, pages):
     facts = pages["arc_chain"].facts
     page.section("The second source: discrete modelings")
     page.text(""""Testings of discrete modelings of planar compliant mechanisms through flexible
-    multibody simulations". More in [the continuum](../continuum.md#the-second-sources-comparison) and
-    [pseudo-rigid-body models](../prbm.md).""")
+    multibody simulations". More in [the continuum](../continuum.md#the-second-sources-comparison)
+    and [pseudo-rigid-body models](../prbm.md).""")
     page.table(["E on [the arc chain](arc_chain.md), against the continuum", "load cases 1 to 3",
                 "load case 4, + and −"],
                [[f"`{n}`", facts[n], facts[f"{n} lc4"]]
                 for n in ("linear", "scmbm", "prbm", "exact")])
-    page.text("""- **That PRBM and SCMBM come near the full model** holds for load cases 1 to 3; in
-    load case 4, along the stiffest direction, neither does.
-    - **Its full model of minutes is not needed**: `exact` is the continuum to a few 1e-4 here, at a
-    cost that the arc chain's page gives.
-    - **What it leaves open**: the loaded point and Poisson's ratio. Table 1's abscissa 9.093 is rounded:
-    9.093267 would make a link exactly 4 mm long. Both are ours to choose, and its printed paths cannot
-    be compared to more than a reading.
-    - **Where the compliance matrix is taken matters** as much as the method: at the elastic centre SCMBM
-    is several times better than at the flexure's end.
+    page.text("""- **PRBM and SCMBM are near the full model** in load cases 1 to 3; in load case
+    4, along the stiffest direction, neither is.
+    - **Its full model of minutes is not needed**: `exact` is the continuum to a few 1e-4 here, at
+    a cost that the arc chain's page gives.
+    - **What it leaves open**: the loaded point and Poisson's ratio. Table 1's abscissa 9.093 is
+    rounded: 9.093267 would make a link exactly 4 mm long. Both are ours to choose, and its
+    printed paths cannot be compared to more than a reading.
+    - **Where the compliance matrix is taken matters** as much as the method: at the elastic
+    centre SCMBM is several times better than at the flexure's end.
     - **No chain of three springs is right to second order.** Matching the ellipse leaves one free
-    number, and the best it can do is three equal springs ([derivation](../prbm.md#equal-springs-derivation)).
-    """)
+    number, and the best it can do is three equal springs
+    ([derivation](../prbm.md#equal-springs-derivation)).""")
 
 
 def prbm(page, flexura):
@@ -102,16 +104,17 @@ def prbm(page, flexura):
                           modeling("prbm", "su", parameters="su"), modeling("prbm", "equal")]}
     stiff = {label: load / run.table()[-1]["tip.y"]
              for label, run in flexura.run(model, soft).items()}
-    page.text(f"""- **1.5164 is the spring, not K_θ.** Some sources list it as K_θ for an end moment. With
-    γ K_θ = 1.114 EI/L for the spring the end of a cantilever that is turned by a quarter of a radian is
-    {share(off('as_k'))} off; with 1.5164 EI/L it is {share(off('as_spring'))}.
-    - **Howell's and Su's models do not tend to the linear compliance**: for a small transverse force the
-    stiffness is {stiff['howell']:.4g} and {stiff['su']:.4g} EI/L³, where equal springs have
-    {stiff['equal']:.4g} and the truth is 3. They are fitted over large deflections
+    page.text(f"""- **1.5164 is the spring, not K_θ.** Some sources list it as K_θ for an end
+    moment. With γ K_θ = 1.114 EI/L for the spring the end of a cantilever that is turned by a
+    quarter of a radian is {share(off('as_k'))} off; with 1.5164 EI/L it is
+    {share(off('as_spring'))}.
+    - **Howell's and Su's models do not tend to the linear compliance**: for a small transverse
+    force the stiffness is {stiff['howell']:.4g} and {stiff['su']:.4g} EI/L³, where equal springs
+    have {stiff['equal']:.4g} and the truth is 3. They are fitted over large deflections
     ([tip load](tip_load.md)).
-    - **A loop of three one-joint members does not move**: Howell's model for a cantilever is no model of
-    a frame clamped at both ends ([compliant four-bar](compliant_four_bar.md)). Flexura takes the model
-    and says nothing.""")
+    - **A loop of three one-joint members does not move**: Howell's model for a cantilever is no
+    model of a frame clamped at both ends ([compliant four-bar](compliant_four_bar.md)). Flexura
+    takes the model and says nothing.""")
 
 
 def third_source(page, pages, flexura):
@@ -120,13 +123,15 @@ def third_source(page, pages, flexura):
     page.text("""Turcic and Midha, "Dynamic Analysis of Elastic Mechanism Systems". More in
     [linkages](../linkages.md#findings-on-the-third-source).""")
     speeds = ", ".join(f"{off} % at {rpm} rpm" for off, rpm in facts["speeds"])
-    page.text(f"""- **Linear theory (KED) fails below the speed at which the source runs its four-bar**
-    ([the four-bar](turcic_midha.md)): strains are off by {speeds}.
-    - **Continuity has to act on displacements.** Modes 1 and 2 veer twice in a turn; modal coordinates
-    carried over by themselves give an answer that is {facts['modal 4']} off, displacements and
-    velocities carried over one that is {facts['physical 4']} off, and more modes hardly help
-    ({facts['physical 8']} with 8). {tests("FourBarMethods.MidhaConvergesToAPlateau")}.
-    - **Its frequencies are in rad/s**: the bands over the turn, times 2π, fit the axes of its figures.""")
+    page.text(f"""- **Linear theory (KED) fails below the speed at which the source runs its
+    four-bar** ([the four-bar](turcic_midha.md)): strains are off by {speeds}.
+    - **Continuity has to act on displacements.** Modes 1 and 2 veer twice in a turn; modal
+    coordinates carried over by themselves give an answer that is {facts['modal 4']} off,
+    displacements and velocities carried over one that is {facts['physical 4']} off, and more
+    modes hardly help ({facts['physical 8']} with 8)
+    {tests("FourBarMethods.MidhaConvergesToAPlateau")}.
+    - **Its frequencies are in rad/s**: the bands over the turn, times 2π, fit the axes of its
+    figures.""")
     punching(page, flexura)
 
 
@@ -135,35 +140,39 @@ def punching(page, flexura):
     results = flexura.folder(model, {"case": runs.study(model, "idle")})
     summary = runs.json.loads((results / "summary.json").read_text())["studies"]["case"]
     peaks = {name: entry["peaks"] for name, entry in summary["modelings"].items()}
-    ratios = ", ".join(
-        f"{peaks['periodic'][link]['stress']['value'] / peaks['quasi_static'][link]['stress']['value']:.2g}"
-        for link in ("crank", "coupler", "follower"))
+
+    def stress(method, link):
+        return peaks[method][link]["stress"]["value"]
+
+    ratios = ", ".join(f"{stress('periodic', link) / stress('quasi_static', link):.2g}"
+                       for link in ("crank", "coupler", "follower"))
     bend = abs(peaks["periodic"]["coupler"]["deflection"]["value"]) / 7.0
-    page.text(f"""- **The punching machine's second moment is garbled in print**; 5 in by 0.167 in,
-    I = 1.94e-3 in⁴, fits. At 5000 rpm vibration raises the largest stress of crank, coupler and plate to
-    {ratios} times the quasi-static one, and the coupler deflects by {100 * bend:.2g} % of its length:
-    linear theory is beyond its range there, and the command says so.""")
+    page.text(f"""- **The punching machine's second moment is garbled in print**; 5 in by 0.167
+    in, I = 1.94e-3 in⁴, fits. At 5000 rpm vibration raises the largest stress of crank, coupler
+    and plate to {ratios} times the quasi-static one, and the coupler deflects by {100 * bend:.2g}
+    % of its length: linear theory is beyond its range there, and the command says so.""")
 
 
 def beyond(page, pages):
     facts, columns = pages["cantilever_frequencies"].facts, "[columns](columns.md)"
     page.section("Other references, and Flexura itself")
-    page.text(f"""- **Published frequencies of cantilevers are Euler and Bernoulli's** without rotary
-    inertia, to {facts['abaqus']} ([cantilevers](cantilever_frequencies.md)); with both the sixth lies
-    {facts['sixth']} lower.
-    - **Those of tapered cantilevers** lie 3e-4 from ours, on which our modelings agree: how the taper was
-    meshed is not stated. {tests("AbaqusTaperedFrequencies")}.
-    - **The parallelogram's solid elements** lie between beam and plate, as leaves ten times as wide as
-    thick do ([parallelogram](parallelogram.md)).
-    - **Flexura: buckling of columns drawn along y** is good to 1e-6 where those along x have 1e-12
-    ({columns}).
-    - **Flexura: buckling by many von Karman elements** finds no load where there is one ({columns}).""")
+    page.text(f"""- **Published frequencies of cantilevers are Euler and Bernoulli's** without
+    rotary inertia, to {facts['abaqus']} ([cantilevers](cantilever_frequencies.md)); with both the
+    sixth lies {facts['sixth']} lower.
+    - **Those of tapered cantilevers** lie 3e-4 from ours, on which our modelings agree: how the
+    taper was meshed is not stated {tests("AbaqusTaperedFrequencies")}.
+    - **The parallelogram's solid elements** lie between beam and plate, as leaves ten times as
+    wide as thick do ([parallelogram](parallelogram.md)).
+    - **Flexura: buckling of columns drawn along y** is good to 1e-6 where those along x have
+    1e-12 ({columns}).
+    - **Flexura: buckling by many von Karman elements** finds no load where there is one
+    ({columns}).""")
 
 
 def findings(flexura, pages):
     page = Page("findings", "Findings on the sources")
-    page.text("""What three sources print, what of it holds and what does not; figures are those of the
-    pages of this book, made by the same run.""")
+    page.text("""What three sources print, what of it holds and what does not; figures are those
+    of the pages of this book, made by the same run.""")
     first_source(page, pages)
     second_source(page, pages)
     prbm(page, flexura)

@@ -1,6 +1,8 @@
 """Pages of the book in Markdown, and how their numbers are written."""
 
 import math
+import re
+import textwrap
 from dataclasses import dataclass
 
 ROUNDING = 1e-13  # what two runs on two machines may differ by
@@ -35,11 +37,24 @@ def times(ratio):
     return f"{ratio:.1g}×"
 
 
+def is_number(cell):
+    return re.match(r"[-−<–]?\s?\d|$|none$|stopped$|–$", str(cell)) is not None
+
+
 def table(head, rows):
-    """Columns of numbers to the right, the first to the left."""
-    lines = ["| " + " | ".join(head) + " |", "| --- |" + " ---: |" * (len(head) - 1)]
+    """Columns of numbers to the right, others to the left."""
+    right = [k > 0 and all(is_number(row[k]) for row in rows) for k in range(len(head))]
+    lines = ["| " + " | ".join(head) + " |",
+             "|" + "|".join(" ---: " if r else " --- " for r in right) + "|"]
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(lines)
+
+
+def filled(words):
+    """In lines of 100 columns; those of an item stand under its first word."""
+    return textwrap.fill(" ".join(words.split()), 100, break_long_words=False,
+                         break_on_hyphens=False,
+                         subsequent_indent="  " if words.startswith("- ") else "")
 
 
 @dataclass
@@ -66,8 +81,9 @@ class Page:
         self.facts = {}  # figures that the page of findings quotes
 
     def text(self, words):
-        lines = [line.strip() for line in words.strip().splitlines()]
-        self.blocks.append("\n".join(lines))
+        """A paragraph, or items that begin with "- "."""
+        items = re.split(r"\n\s*(?=- )", words.strip())
+        self.blocks.append("\n".join(filled(item) for item in items))
 
     def section(self, title):
         self.blocks.append(f"## {title}")

@@ -150,10 +150,11 @@ def parallelogram(flexura):
     page.figure("picture", "Drawn, and under the full force",
                 picture(model, found["exact"], [{"on": "stage", "force": [0, 1.0]}]))
     page.section("Source and reference")
-    page.text("""A public data set (MIT licence, github.com/haijunsu-osu/parallelogram_model_comparison)
-    with solid finite elements (CalculiX, second order, 10 mm) and the boundary value problem of
-    inextensible beams. The solids are themselves some per cent off: the data set's finer mesh moves
-    them by 0.6 to 1.7 % at Fy L²/EI = 5.""")
+    page.text("""A public data set (MIT licence,
+    github.com/haijunsu-osu/parallelogram_model_comparison) with solid finite elements (CalculiX,
+    second order, 10 mm) and the boundary value problem of inextensible beams. The solids are
+    themselves some per cent off: the data set's finer mesh moves them by 0.6 to 1.7 % at Fy L²/EI
+    = 5.""")
     page.section("The boundary value problem")
     rows, worst = [], 0.0
     for ay, (ux, uy) in PLANAR.items():
@@ -190,11 +191,11 @@ def solids(page, found):
                      f"{beam[0]:.6f}", f"{strain[0]:.6f}"])
     page.table(["Fy L²/EI", "uy/L solid", "beam", "plane strain", "beam off", "plane strain off",
                 "ux/L solid", "beam", "plane strain"], rows)
-    page.text("""A leaf ten times as wide as thick bends as a strip where it is free to curl across
-    its width, and as a plate, stiffer by 1/(1 − ν²), where the clamps keep it from it. The solids
-    lie between the two (the beam, and the continuum in plane strain), as they should: no plane
-    model is wrong here, and none is right (test `ParallelogramFlexure.SolidsLieBetweenStripAndPlate`).
-    """)
+    page.text("""A leaf ten times as wide as thick bends as a strip where it is free to curl
+    across its width, and as a plate, stiffer by 1/(1 − ν²), where the clamps keep it from it. The
+    solids lie between the two (the beam, and the continuum in plane strain), as they should: no
+    plane model is wrong here, and none is right (test
+    `ParallelogramFlexure.SolidsLieBetweenStripAndPlate`).""")
 
 
 def paros(t, r, modulus=210e3, width=10.0):
@@ -214,9 +215,9 @@ def circular_hinge(flexura):
     page = Page("circular_hinge", "Right circular hinge",
                 ["verification/cases/circular_hinge.toml"])
     model = runs.load_model(page.models[0])
-    page.text("""A hinge of 8 mm cut by two circles of 4 mm radius, t thick in the middle and 10 mm
-    wide, is turned by a moment. Beam theory integrates 12/(E b t(x)³); in truth stress cannot follow
-    so fast a change of the section.""")
+    page.text("""A hinge of 8 mm cut by two circles of 4 mm radius, t thick in the middle and 10
+    mm wide, is turned by a moment. Beam theory integrates 12/(E b t(x)³); in truth stress cannot
+    follow so fast a change of the section.""")
     page.section("Source and reference")
     page.text("""Paros and Weisbord (Machine Design 37, 1965) for the integral in closed form;
     Smith's fit to finite elements, θ/M = 24 K R/(E b t³), K = 0.565 t/R + 0.166 (*Foundations of

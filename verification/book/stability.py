@@ -58,10 +58,10 @@ def lee_frame(flexura):
     truth = [-limits[0]["P"], -limits[1]["P"]]
     found = flexura.run(model, runs.study(model, "snap", modelings=lee_modelings()))
     exact = limit_points(found["exact"], -2.5)
-    page.text("""A column and a beam of length 120, rigidly joined, both pinned to the ground; a dead
-    load presses on the beam at a fifth of its length. The frame carries it to a limit point, snaps,
-    and would pull upwards before it carries load again: the load turns back twice, and so does the
-    displacement under it.""")
+    page.text("""A column and a beam of length 120, rigidly joined, both pinned to the ground; a
+    dead load presses on the beam at a fifth of its length. The frame carries it to a limit point,
+    snaps, and would pull upwards before it carries load again: the load turns back twice, and so
+    does the displacement under it.""")
     page.figure("picture", "Drawn, and at the end of the path, beyond both limit points",
                 picture(model, found["exact"], [{"on": "loaded", "force": [0, -1.0]}]))
     page.section("Source and reference")
