@@ -10,9 +10,11 @@ import argparse
 import sys
 import time
 
-import book
-import check
-from runs import TOP
+sys.dont_write_bytecode = True  # the checkout stays as it is
+
+import book  # noqa: E402
+import check  # noqa: E402
+from runs import TOP  # noqa: E402
 
 
 def arguments():

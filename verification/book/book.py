@@ -9,6 +9,7 @@ import chain
 import columns
 import findings
 import frames
+import frequencies
 import linkages
 import motion
 import pivots
@@ -16,7 +17,7 @@ import slider_crank
 import solids
 import stability
 import tests_page
-from pages import scientific, table
+from pages import scientific, table, tolerance
 from runs import TOP, Flexura
 
 FOLDER = TOP / "docs/verification"
@@ -33,8 +34,8 @@ PAGES = {
     "snap_through": stability.arch_and_toggle,
     "columns": columns.columns,
     "thick_ring": solids.thick_ring,
-    "cantilever_frequencies": motion.cantilever_frequencies,
-    "frame_frequencies": motion.frame_frequencies,
+    "cantilever_frequencies": frequencies.cantilever_frequencies,
+    "frame_frequencies": frequencies.frame_frequencies,
     "frame_history": motion.frame_history,
     "spin_up": motion.spin_up,
     "slider_crank": slider_crank.slider_crank,
@@ -87,7 +88,7 @@ def summary_rows(pages):
         worst = page.tightest
         verdict = "kept" if kept == len(page.promises) else "**broken**"
         rows.append([f"[{page.title}]({page.name}.md)", worst.what, f"`{worst.modeling}`",
-                     scientific(worst.error), scientific(worst.tolerance, 1),
+                     scientific(worst.error), tolerance(worst.tolerance),
                      f"{verdict}, {kept} of {len(page.promises)}"])
     return rows
 
@@ -132,6 +133,6 @@ def write(command, tests, names):
         record = tests_page.recorded(tests)
         (FOLDER / "tests.md").write_text(tests_page.markdown(record))
     if not names:
-        write_page(findings.findings(flexura, pages))
+        write_page(findings.findings(flexura, pages, record))
         (FOLDER / "README.md").write_text(index(pages, record))
     return all(p.kept for page in pages.values() for p in page.promises)

@@ -5,7 +5,7 @@ import math
 import measure
 import runs
 from measure import TWICE, beam_sweep, convergence, modeling_table, named_sweep, path_error
-from pages import Page, scientific, share
+from pages import Page, scientific
 from pictures import picture
 from plots import Series, plot
 from runs import modeling
@@ -91,8 +91,8 @@ def tip_load(flexura):
     are not right for small ones; equal springs and `bcm` are right there and drift off. `bcm` is
     made for deflections up to a tenth of the length. `linear` knows nothing of the shortening.
     `prbm` and `bcm` have no shear strain, and `prbm` does not stretch: by that alone they are
-    some 1e-4 off. The estimate of `beam_order_4` is two hundred times its error: whatever the
-    mesh, estimates of `beam` do not fall below 2e-8 on this path. They err on the safe side.""")
+    off by a little. The estimate of `beam_order_4` is far above its error: whatever the mesh,
+    estimates of `beam` do not fall below that on this path. They err on the safe side.""")
     sweeps = measure.standard_sweeps() + [
         named_sweep("von_karman", [2, 4, 8, 16, 32, 64], name="beam", theory="von_karman")]
     convergence(page, measure.run_sweeps(flexura, model, study, sweeps, error_of),

@@ -114,7 +114,7 @@ def printed_modelings(sizes):
             for n in sizes]
 
 
-def forced(model, force, modelings, steps=5):
+def forced(force, modelings, steps=5):
     return {"kind": "path", "loads": [{"on": "left.P", "force": [force, 0]}], "steps": steps,
             "modelings": modelings, "estimate": False}
 
@@ -122,7 +122,7 @@ def forced(model, force, modelings, steps=5):
 def independent_assembly(page, flexura, model):
     truth = runs.reference_json("static/B_printed_fe_convergence.json")
     sizes, rows, worst = [1, 2, 4, 8, 16, 32], [], 0.0
-    found = {force: flexura.run(model, forced(model, force, printed_modelings(sizes)))
+    found = {force: flexura.run(model, forced(force, printed_modelings(sizes)))
              for force in (0.28, 1.4)}
     for n in sizes:
         cells = []
@@ -141,7 +141,7 @@ def locking(page, flexura, model):
     sizes = [1, 2, 4, 8, 16, 32, 64, 128, 256]
     chosen = [modeling("exact", tolerance=1e-11), *printed_modelings(sizes)]
     chosen += [modeling("beam", f"vk_{n}", theory="von_karman", elements=n) for n in sizes[:7]]
-    found = flexura.run(model, forced(model, 0.28, chosen))
+    found = flexura.run(model, forced(0.28, chosen))
     sway = middle(found["exact"])
 
     def off(run):
@@ -164,7 +164,7 @@ def locking(page, flexura, model):
 
 def limit_load(page, flexura, model):
     sizes = [256, 512, 1024]
-    study = forced(model, 4.0, printed_modelings(sizes), 20)
+    study = forced(4.0, printed_modelings(sizes), 20)
     limits = []
     for run in flexura.run(model, study).values():
         events = [e for e in run.summary["events"] if e["kind"] == "limit point"]

@@ -18,6 +18,11 @@ def scientific(value, digits=3):
     return f"{mantissa}e{int(exponent)}"
 
 
+def tolerance(value):
+    """One that is promised: 1e-9, 1.1e-3."""
+    return scientific(value, 2).replace(".0e", "e")
+
+
 def share(value):
     """An error that may be large: scientific below a thousandth, per cent above."""
     if value is None or math.isnan(value):
@@ -107,7 +112,7 @@ class Page:
     def verdicts(self):
         if not self.promises:
             return []
-        rows = [[p.what, f"`{p.modeling}`", scientific(p.error), scientific(p.tolerance, 1),
+        rows = [[p.what, f"`{p.modeling}`", scientific(p.error), tolerance(p.tolerance),
                  "kept" if p.kept else "**broken**"] for p in self.promises]
         return ["## Promised",
                 table(["what", "by", "error", "promised", ""], rows)]

@@ -27,7 +27,7 @@ def resolved(model, **values):
     return {**model, "flexures": replace(model["flexures"])}
 
 
-def pivot_path(flexura, model, moments, modelings, reference=None):
+def pivot_path(flexura, model, moments, modelings):
     """States under each of the moments of a table: one study per moment, of one step."""
     errors = {}
     for moment in moments:

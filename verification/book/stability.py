@@ -5,7 +5,7 @@ import math
 import measure
 import runs
 from measure import TWICE, beam_sweep, convergence, exact_sweep, named_sweep, relative
-from pages import Page, scientific, share, times
+from pages import Page, share, times
 from pictures import picture
 from plots import Series, plot
 from runs import modeling
