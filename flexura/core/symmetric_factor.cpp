@@ -13,18 +13,19 @@ void dsytrs_(const char* uplo, const int* n, const int* nrhs, const double* a, c
 namespace flexura {
 
 Eigen::VectorXd balance_rows(Eigen::Ref<Eigen::MatrixXd> matrix) {
-  constexpr double alike = 1e-6;
-  constexpr int most_sweeps = 4;
+  constexpr double alike = 1e-6, even = 0.1, rounding = 1e-13;
+  constexpr int most_sweeps = 8;
   Eigen::VectorXd factors = Eigen::VectorXd::Ones(matrix.rows());
-  for (int sweep = 0; sweep < most_sweeps && matrix.rows() > 0; ++sweep) {
-    Eigen::VectorXd sizes = matrix.cwiseAbs().rowwise().maxCoeff();
-    // a row of zeros has no size: the factorization will say what that means
-    if (!sizes.allFinite() || !(sizes.minCoeff() > 0.0) ||
-        sizes.minCoeff() > alike * sizes.maxCoeff())
-      break;
+  if (matrix.rows() == 0) return factors;
+  Eigen::VectorXd sizes = matrix.cwiseAbs().rowwise().maxCoeff();
+  const auto spread = [&sizes] { return sizes.minCoeff() / sizes.maxCoeff(); };
+  // rows of zeros, but for rounding, have no size: the factorization will say what they mean
+  if (!sizes.allFinite() || !(spread() > rounding) || spread() > alike) return factors;
+  for (int sweep = 0; sweep < most_sweeps && spread() < even; ++sweep) {
     sizes = sizes.cwiseSqrt().cwiseInverse();
     matrix = sizes.asDiagonal() * matrix * sizes.asDiagonal();
     factors.array() *= sizes.array();
+    sizes = matrix.cwiseAbs().rowwise().maxCoeff();
   }
   return factors;
 }

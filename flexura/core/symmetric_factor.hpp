@@ -8,9 +8,10 @@
 namespace flexura {
 
 /// Scales a square matrix in place to diag(d) A diag(d) and returns d: rows come to be alike in
-/// size where they were not, to a factor of a million. Stiff flexures beside ones whose load stays
-/// unknown make them differ by the square of the slenderness and more, and soft directions would
-/// drown in the rounding of stiff ones. Other matrices stay as they are.
+/// size where they differed by more than a factor of a million. Stiff flexures beside ones whose
+/// load stays unknown make them differ by the square of the slenderness and more, and soft
+/// directions would drown in the rounding of stiff ones. Other matrices stay as they are, and those
+/// with rows of nothing but rounding.
 Eigen::VectorXd balance_rows(Eigen::Ref<Eigen::MatrixXd> matrix);
 
 /// Bunch-Kaufman factorization (LAPACK dsytrf) of a dense symmetric indefinite matrix, with its
