@@ -167,7 +167,7 @@ bool PathTracer::refine(Stepping& stepping) {
 SteppingSummary PathTracer::advance(Stepping& stepping, double load_factor) {
   SteppingSummary summary = stepping.advance(load_factor);
   while (summary.outcome != SteppingOutcome::reached && may_refine()) {
-    const SteppingSummary before = std::move(summary);
+    SteppingSummary before = std::move(summary);
     note_changes(stepping);  // while they belong to this system
     if (!refine(stepping)) {
       path_.systems.pop_back();
