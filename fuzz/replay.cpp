@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,6 +23,10 @@ namespace fs = std::filesystem;
 std::vector<std::string> read_inputs(const std::vector<std::string>& places) {
   std::vector<fs::path> files;
   for (const std::string& place : places) {
+    if (!fs::exists(place)) {
+      std::fprintf(stderr, "no seeds at %s\n", place.c_str());
+      std::exit(2);
+    }
     if (!fs::is_directory(place)) files.emplace_back(place);
     if (fs::is_directory(place))
       for (const auto& entry : fs::recursive_directory_iterator(place))

@@ -3,25 +3,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <optional>
 #include <set>
 
 #include "apps/flexura/input.hpp"
 #include "apps/flexura/terminal.hpp"
+#include "apps/flexura/watched_run.hpp"
 #include "flexura/io/starter.hpp"
 #include "flexura/io/write_results.hpp"
 #include "flexura/report/report.hpp"
 #include "flexura/report/table.hpp"
-#include "flexura/studies/run_studies.hpp"
 
 namespace flexura::app {
 namespace {
-
-std::atomic<bool> interrupted = false;
 
 bool names_exist(const Model& model, const RunArguments& arguments) {
   std::set<std::string> studies;
@@ -72,20 +68,11 @@ int run_command(const RunArguments& arguments) {
   const std::optional<Model> model = read_or_complain(arguments.model);
   if (!model || !names_exist(*model, arguments)) return wrong_input;
 
-  std::signal(SIGINT, [](int) { interrupted = true; });
   RunOptions options;
   options.studies = arguments.studies;
   options.modelings = arguments.modelings;
   options.threads = arguments.threads;
-  Result result;
-  {
-    ProgressLine line(!arguments.quiet);
-    options.progress = [&line](const ProgressReport& report) {
-      line.update(report);
-      return !interrupted;
-    };
-    result = run_studies(*model, options);
-  }
+  Result result = run_watched(*model, options, arguments.quiet);
   result.model_file = arguments.model.file.filename().string();
 
   const std::filesystem::path folder = results_folder(arguments);

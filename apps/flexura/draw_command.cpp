@@ -1,22 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <optional>
 #include <type_traits>
 
 #include "apps/flexura/commands.hpp"
 #include "apps/flexura/input.hpp"
 #include "apps/flexura/terminal.hpp"
+#include "apps/flexura/watched_run.hpp"
 #include "flexura/io/write_files.hpp"
 #include "flexura/pictures/picture.hpp"
-#include "flexura/studies/run_studies.hpp"
 
 namespace flexura::app {
 namespace {
-
-std::atomic<bool> interrupted = false;
 
 bool has_shape(const Study& study) {
   return !std::holds_alternative<LinearStudy>(study.kind) &&
@@ -78,19 +74,10 @@ int draw_command(const DrawArguments& arguments) {
   const std::optional<std::string> label = choose_modeling(*study, arguments.modeling);
   if (!label) return wrong_input;
 
-  std::signal(SIGINT, [](int) { interrupted = true; });
   RunOptions options;
   options.studies = {study->name};
   if (!std::holds_alternative<LinkageStudy>(study->kind)) options.modelings = {*label};
-  Result result;
-  {
-    ProgressLine line(!arguments.quiet);
-    options.progress = [&line](const ProgressReport& report) {
-      line.update(report);
-      return !interrupted;
-    };
-    result = run_studies(*model, options);
-  }
+  const Result result = run_watched(*model, options, arguments.quiet);
   PictureRequest request;
   request.study = study->name;
   request.modeling = *label;

@@ -176,10 +176,12 @@ LinkageSolution show_turn(const LinkageTurn& turn, double speed, const std::vect
   states.front().second = m.mass.ldlt().solve(m.load - m.damping * states.front().first -
                                               m.stiffness * states.front().u);
   ++solution.iterations;
+  if (!states.back().u.allFinite()) {
+    solution.termination = {Status::stopped, "the motion grows beyond all bounds"};
+    return solution;
+  }
   solution.states = at_positions(turn, speed, ends, states);
   solution.termination = {Status::converged, {}};
-  if (!y.allFinite() || !states.back().u.allFinite())
-    solution = {{Status::stopped, "the motion grows beyond all bounds"}, {}, {}, 0, "turns", ""};
   return solution;
 }
 

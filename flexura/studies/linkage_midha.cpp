@@ -242,8 +242,9 @@ bool Midha::settle(const std::optional<ModalState>& start, TurnMotion& motion, i
       moved = std::max(moved, i == 0 ? q.norm() : (q - motion.states[k].q).norm());
     }
     motion = std::move(now);
+    if (!study_.coupling) return true;
     load_with(motion.states, motion.rates);
-    if (!study_.coupling || moved <= agreed * std::max(size, 1e-300)) return true;
+    if (moved <= agreed * std::max(size, 1e-300)) return true;
   }
   return false;
 }

@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
@@ -14,24 +13,21 @@
 #include <set>
 #include <string>
 
+#include "tests/support/folder_test.hpp"
+#include "tests/support/shell.hpp"
+
 namespace flexura {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Hardening : public ::testing::Test {
+class Hardening : public testing::FolderTest {
  protected:
   Hardening() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    top_ = fs::temp_directory_path() /
-           ("flexura_" + std::string(info->name()) + std::to_string(::getpid()));
-    fs::remove_all(top_);
-    fs::create_directories(top_);
     write("stage.toml", model("[studies.push]\nkind = \"path\"\nsteps = 3\nmodelings = "
                               "[\"linear\", \"exact\"]\n"
                               "loads = [{ on = \"stage.P\", force = [3.0, 0.0] }]\n"));
   }
-  ~Hardening() override { fs::remove_all(top_); }
 
   static std::string model(const std::string& studies, const std::string& thickness = "0.2") {
     return "flexura = 1\n[units]\nlength = \"mm\"\nforce = \"N\"\ntime = \"s\"\n"
@@ -58,10 +54,6 @@ class Hardening : public ::testing::Test {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(top_ / name, std::ios::binary) << text;
   }
-  std::string read(const std::string& name) const {
-    std::ifstream stream(top_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
   std::set<std::string> content() const {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(top_))
@@ -70,26 +62,16 @@ class Hardening : public ::testing::Test {
   }
   /// In the test's folder, by the shell, for no longer than a minute; `before` sets limits.
   void run(const std::string& arguments, const std::string& before = "true") {
-    text_.clear();
-    const std::string command = "cd '" + top_.string() + "' && " + before +
-                                " && timeout 60 '" FLEXURA_EXECUTABLE "' " + arguments +
-                                " 2>&1 </dev/null";
-    FILE* pipe = popen(command.c_str(), "r");
-    ASSERT_NE(pipe, nullptr);
-    std::array<char, 4096> block{};
-    for (std::size_t n = 0; (n = fread(block.data(), 1, block.size(), pipe)) > 0;)
-      text_.append(block.data(), n);
-    const int status = pclose(pipe);
-    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    answer_ = testing::ask_shell("cd '" + top_.string() + "' && " + before +
+                                 " && timeout 60 '" FLEXURA_EXECUTABLE "' " + arguments +
+                                 " 2>&1 </dev/null");
   }
   void expect(int status, const std::string& message) const {
-    EXPECT_EQ(status_, status) << text_;
-    EXPECT_NE(text_.find(message), std::string::npos) << text_;
+    EXPECT_EQ(answer_.status, status) << answer_.text;
+    EXPECT_NE(answer_.text.find(message), std::string::npos) << answer_.text;
   }
 
-  fs::path top_;
-  std::string text_;
-  int status_ = -1;
+  testing::ShellAnswer answer_;
 };
 
 TEST_F(Hardening, FoldersThatCannotBeWritten) {
@@ -108,7 +90,7 @@ TEST_F(Hardening, FoldersThatCannotBeWritten) {
 
 TEST_F(Hardening, DiskThatIsFullLeavesOldResultsWhole) {
   run("run stage.toml -q -o out");
-  ASSERT_EQ(status_, 0) << text_;
+  ASSERT_EQ(answer_.status, 0) << answer_.text;
   const std::string old = read("out/summary.json");
   const auto names = content();
   run("run stage.toml -q -o out", "ulimit -f 64");  // a limit on files stands for the disk
@@ -122,7 +104,7 @@ TEST_F(Hardening, DiskThatIsFullLeavesOldResultsWhole) {
 
 TEST_F(Hardening, KilledRunsLeaveOldResultsWhole) {
   run("run stage.toml -q -o out");
-  ASSERT_EQ(status_, 0) << text_;
+  ASSERT_EQ(answer_.status, 0) << answer_.text;
   const auto names = content();
   write("long.toml", long_model());
   const std::string command = "cd '" + top_.string() +
@@ -138,7 +120,7 @@ TEST_F(Hardening, WhatAKilledRunLeftIsRemovedByTheNext) {
   write("out/.summary.json.999999999.part", "{");  // no process has such a number
   write("out/.notes.999999999.part", "not ours");
   run("run stage.toml -q -o out");
-  EXPECT_EQ(status_, 0) << text_;
+  EXPECT_EQ(answer_.status, 0) << answer_.text;
   EXPECT_FALSE(fs::exists(top_ / "out/.summary.json.999999999.part"));
   EXPECT_TRUE(fs::exists(top_ / "out/.notes.999999999.part"));
 }
@@ -187,7 +169,7 @@ TEST_F(Hardening, ModelsThatAreNoFiles) {
     expect(2, "empty.toml:1:1: error: the file is empty");
   }
   run("check link.toml");
-  EXPECT_EQ(status_, 0) << text_;
+  EXPECT_EQ(answer_.status, 0) << answer_.text;
 }
 
 TEST_F(Hardening, WindowsTextIsReadAndItsPlacesAreRight) {
@@ -228,7 +210,7 @@ TEST_F(Hardening, NothingThatIsNoNumberIsWritten) {
                                       "kind = \"linear\"\n",
                                   thickness));
       run("run extreme.toml -q -o extreme");
-      EXPECT_TRUE(status_ == 0 || status_ == 1) << text_;
+      EXPECT_TRUE(answer_.status == 0 || answer_.status == 1) << answer_.text;
       if (!fs::exists(top_ / "extreme")) continue;
       for (const auto& entry : fs::recursive_directory_iterator(top_ / "extreme")) {
         if (entry.path().extension() != ".csv" && entry.path().extension() != ".json") continue;
@@ -265,7 +247,7 @@ TEST_F(Hardening, NamesOfAnyLengthDoNotFloodMessages) {
   write("long.toml", text);
   run("check long.toml");
   expect(2, "unknown material 'steel'");
-  EXPECT_LT(text_.size(), 2000U);
+  EXPECT_LT(answer_.text.size(), 2000U);
 }
 
 }  // namespace

@@ -2,13 +2,13 @@
 // the scripts install is accounted for, the manual page has every option, and there is one version.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 
 #include "tests/house/rules.hpp"
+#include "tests/support/shell.hpp"
 
 namespace flexura::house {
 namespace {
@@ -45,7 +45,7 @@ TEST(Documents, ModelsAreRecognised) {
 }
 
 TEST(Documents, ModelsAreValid) {
-  const fs::path folder = fs::path(testing::TempDir()) / "flexura_documents";
+  const fs::path folder = fs::path(::testing::TempDir()) / "flexura_documents";
   fs::create_directories(folder);
   for (const std::string& name : documents()) {
     for (const std::string& model : models(read_text(name))) {
@@ -68,22 +68,13 @@ TEST(Documents, EveryInstalledPackageIsAccountedFor) {
   }
 }
 
-/// What a command prints on standard output.
-std::string output_of(const std::string& command) {
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {};
-  std::string text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
-  pclose(pipe);
-  return text;
-}
-
 TEST(Documents, ManualPageHasEveryOption) {
   std::string page = read_text("apps/flexura/flexura.1.in");
   std::erase(page, '\\');
-  for (const char* command : {"", "run", "check", "new"}) {
+  for (const char* command : {"", "run", "check", "draw", "new"}) {
     const std::string help =
-        output_of("'" FLEXURA_EXECUTABLE "' " + std::string(command) + " --help");
+        testing::ask_shell("'" FLEXURA_EXECUTABLE "' " + std::string(command) + " --help").text;
+    EXPECT_NE(page.find("flexura " + std::string(command)), std::string::npos) << command;
     const std::vector<std::string> options = matches(help, "(--[a-z]+)");
     ASSERT_FALSE(options.empty()) << help;
     for (const std::string& option : options)
@@ -94,7 +85,8 @@ TEST(Documents, ManualPageHasEveryOption) {
 TEST(Documents, ThereIsOneVersion) {
   const std::string version =
       matches(read_text("CMakeLists.txt"), R"(project\(flexura VERSION (\S+))").at(0);
-  EXPECT_EQ(output_of("'" FLEXURA_EXECUTABLE "' --version"), "flexura " + version + "\n");
+  EXPECT_EQ(testing::ask_shell("'" FLEXURA_EXECUTABLE "' --version").text,
+            "flexura " + version + "\n");
   EXPECT_EQ(matches(read_text("CHANGELOG.md"), R"(\n## \[(\d[^\]]*)\])").at(0), version);
 }
 

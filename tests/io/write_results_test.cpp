@@ -12,24 +12,15 @@
 
 #include "tests/report/sample_motion.hpp"
 #include "tests/report/sample_result.hpp"
+#include "tests/support/folder_test.hpp"
 
 namespace flexura {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of the test's own, gone afterwards.
-class WriteResults : public ::testing::Test {
+class WriteResults : public testing::FolderTest {
  protected:
-  WriteResults() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    top_ = fs::temp_directory_path() /
-           ("flexura_" + std::string(info->name()) + std::to_string(::getpid()));
-    fs::remove_all(top_);
-    fs::create_directories(top_);
-  }
-  ~WriteResults() override { fs::remove_all(top_); }
-
   /// Everything below the test's folder, as relative names.
   std::set<std::string> content() const {
     std::set<std::string> names;
@@ -38,12 +29,7 @@ class WriteResults : public ::testing::Test {
     }
     return names;
   }
-  static std::string read(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
 
-  fs::path top_;
   const Result result_ = sample::make_sample_result();
 };
 

@@ -1,8 +1,6 @@
 // `flexura draw` as its users call it: what it writes, and what it says where it does not.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,53 +8,30 @@
 #include <string>
 
 #include "tests/pictures/picture_checks.hpp"
+#include "tests/support/shell.hpp"
+#include "tests/support/folder_test.hpp"
 
 namespace flexura {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Answer {
-  int status = -1;
-  std::string text;
-};
+using Answer = testing::ShellAnswer;
 
-class DrawCommand : public ::testing::Test {
+class DrawCommand : public testing::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              (std::string("flexura_draw_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   Answer draw(const std::string& model, const std::string& options) const {
-    const std::string command = "cd '" + folder_.string() + "' && '" FLEXURA_EXECUTABLE "' draw '" +
-                                model + "' " + options + " 2>&1 </dev/null";
-    Answer answer;
-    FILE* pipe = popen(command.c_str(), "r");
-    std::array<char, 256> buffer{};
-    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) answer.text += buffer.data();
-    answer.status = WEXITSTATUS(pclose(pipe));
-    return answer;
+    return testing::ask_shell("cd '" + top_.string() + "' && '" FLEXURA_EXECUTABLE "' draw '" +
+                              model + "' " + options + " 2>&1 </dev/null");
   }
 
   static std::string example(const std::string& name) {
     return std::string(FLEXURA_SOURCE_DIR "/examples/") + name + ".toml";
   }
 
-  std::string read(const std::string& file) const {
-    std::ifstream stream(folder_ / file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
   std::size_t count_files() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(top_), {}));
   }
-
-  fs::path folder_;
 };
 
 TEST_F(DrawCommand, WritesAMovingPictureNamedAfterTheModel) {
@@ -135,7 +110,7 @@ modelings = [{ name = "exact", axial = false, shear = false }]
 )";
 
 TEST_F(DrawCommand, DrawsWhatConvergedOfAStudyThatStopped) {
-  std::ofstream(folder_ / "too_far.toml") << too_far;
+  std::ofstream(top_ / "too_far.toml") << too_far;
   const Answer answer = draw("too_far.toml", "");
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("what converged is drawn"), std::string::npos) << answer.text;
