@@ -198,15 +198,6 @@ TEST(FourBarMethods, TurnsFromRestTendToThePeriodicMotion) {
   }
 }
 
-/// Without coupling terms, too: none may come in with the second turn.
-TEST(FourBarMethods, UncoupledTurnsFromRestStayUncoupled) {
-  FourBar bar(1);
-  bar.study.coupling = false;
-  const std::vector<double> settled = bar.by(LinkageStudy::Method::midha).flexures[1].strain;
-  bar.study.turn_from_rest = 60;
-  EXPECT_LT(distance(bar.by(LinkageStudy::Method::midha).flexures[1].strain, settled), 1e-8);
-}
-
 /// The start itself: Midha's intervals against integration, within what they leave out of the
 /// periodic motion too.
 TEST(FourBarMethods, MidhaFollowsTheStartFromRest) {
