@@ -8,8 +8,8 @@
 #include <string>
 
 #include "tests/pictures/picture_checks.hpp"
-#include "tests/support/shell.hpp"
 #include "tests/support/folder_test.hpp"
+#include "tests/support/shell.hpp"
 
 namespace flexura {
 namespace {
