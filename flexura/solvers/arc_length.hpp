@@ -5,7 +5,6 @@
 #include <concepts>
 #include <vector>
 
-#include "flexura/solvers/hermite_predictor.hpp"
 #include "flexura/solvers/newton.hpp"
 
 namespace flexura {
@@ -27,15 +26,6 @@ concept LoadedProblem = NewtonProblem<P> &&
   { p.distance(z, z) } -> std::convertible_to<double>;
 };
 
-enum class ArcOutcome { passed, limit_point, lost };
-
-struct ArcPassage {
-  ArcOutcome outcome = ArcOutcome::lost;
-  double load_factor = 0.0;
-  std::vector<double> z;
-  int iterations = 0;
-};
-
 /// A state of a path with its unit tangent (tangent_z, tangent_load).
 struct ArcState {
   double load_factor = 0.0;
@@ -44,17 +34,16 @@ struct ArcState {
   double tangent_load = 0.0;
 };
 
-/// Pseudo-arc-length steps along a path. Lengths are those of (z, load factor), with z measured by
-/// the problem's `inner`.
+/// Pseudo-arc-length steps along a path. Lengths are those of (z, load_scale * load factor), with z
+/// measured by the problem's `inner`. A scale of the size of dz/d(load factor) lets a path that
+/// turns off within displacements of a millionth be seen to do so; by 1, such a turn is nothing
+/// beside the load factor's own part, and a step leads past it.
 template <LoadedProblem Problem>
 class ArcLength {
  public:
   ArcLength(Problem& problem, double tolerance) : problem_(&problem), tolerance_(tolerance) {}
 
-  /// From a state where load control finds no way on: follows the path until the load factor turns
-  /// back (the limit point is then located), or the path leads on less steeply.
-  ArcPassage pass(const CurvePoint& start, double target);
-
+  void set_load_scale(double scale) { load_scale_ = scale; }
   /// The unit tangent, in the sense of `before` or else of a growing load factor. Precondition: the
   /// problem is linearized at the state. False where the tangent has no direction.
   bool set_tangent(ArcState& state, const ArcState* before);
@@ -73,6 +62,7 @@ class ArcLength {
 
   Problem* problem_;
   double tolerance_;
+  double load_scale_ = 1.0;
   int iterations_ = 0;
 };
 
@@ -80,10 +70,12 @@ class ArcLength {
 template <LoadedProblem Problem>
 bool ArcLength<Problem>::set_tangent(ArcState& state, const ArcState* before) {
   problem_->load_direction(state.tangent_z);
-  const double size = std::sqrt(1.0 + problem_->inner(state.tangent_z, state.tangent_z));
+  const double weight = load_scale_ * load_scale_;
+  const double size = std::sqrt(weight + problem_->inner(state.tangent_z, state.tangent_z));
   if (!std::isfinite(size)) return false;
   double sense = 1.0;
-  if (before && problem_->inner(before->tangent_z, state.tangent_z) + before->tangent_load < 0.0)
+  if (before &&
+      problem_->inner(before->tangent_z, state.tangent_z) + weight * before->tangent_load < 0.0)
     sense = -1.0;
   state.tangent_load = sense / size;
   for (double& t : state.tangent_z) t *= sense / size;
@@ -97,6 +89,7 @@ bool ArcLength<Problem>::step(const ArcState& from, double size, ArcState& to) {
   to.z = from.z;
   add_scaled(to.z, size, from.tangent_z);
   to.load_factor = from.load_factor + size * from.tangent_load;
+  const double weight = load_scale_ * load_scale_;
   std::vector<double> correction, direction;
   double before = INFINITY;
   for (int k = 0; k < 20; ++k) {
@@ -108,9 +101,9 @@ bool ArcLength<Problem>::step(const ArcState& from, double size, ArcState& to) {
     std::vector<double> gone = to.z;
     add_scaled(gone, -1.0, from.z);
     const double gap = problem_->inner(from.tangent_z, gone) +
-                       from.tangent_load * (to.load_factor - from.load_factor) - size;
+                       weight * from.tangent_load * (to.load_factor - from.load_factor) - size;
     const double change = -(gap + problem_->inner(from.tangent_z, correction)) /
-                          (problem_->inner(from.tangent_z, direction) + from.tangent_load);
+                          (problem_->inner(from.tangent_z, direction) + weight * from.tangent_load);
     add_scaled(correction, change, direction);
     add_scaled(to.z, 1.0, correction);
     to.load_factor += change;
@@ -131,10 +124,10 @@ template <LoadedProblem Problem>
 bool ArcLength<Problem>::heads_along(const ArcState& from, const ArcState& to) const {
   std::vector<double> gone = to.z;
   add_scaled(gone, -1.0, from.z);
-  const double rise = to.load_factor - from.load_factor;
+  const double rise = load_scale_ * (to.load_factor - from.load_factor);
   const double length = std::sqrt(problem_->inner(gone, gone) + rise * rise);
   const auto along = [&](const ArcState& state) {
-    return problem_->inner(gone, state.tangent_z) + rise * state.tangent_load;
+    return problem_->inner(gone, state.tangent_z) + rise * load_scale_ * state.tangent_load;
   };
   constexpr double least = 0.906;  // cos 25 degrees
   return along(from) > least * length && along(to) > least * length;
@@ -164,51 +157,6 @@ bool ArcLength<Problem>::locate(const ArcState& before, double size, ArcState& l
     if (std::abs(limit.tangent_load) < 1e-8 * steepness) break;
   }
   return std::abs(limit.tangent_load) < 1e-3 * steepness;
-}
-
-template <LoadedProblem Problem>
-ArcPassage ArcLength<Problem>::pass(const CurvePoint& start, double target) {
-  ArcPassage passage;
-  State here{start.parameter, start.value, {}, 0.0};
-  problem_->set_load_factor(here.load_factor);
-  ++iterations_;
-  if (!problem_->linearize(here.z) || !set_tangent(here, nullptr)) return passage;
-  const double steepness = here.tangent_load;
-  int unstable = problem_->unstable_directions();
-  // no longer at first than the load steps that failed, and never past two changes at once
-  double size = std::min(0.01, 1e-4 / steepness);
-  for (int k = 0; k < 400 && size > 1e-9; ++k) {
-    State next;
-    // forward at both ends, yet back in between: the step fell onto another part of the path
-    if (!step(here, size, next) || !heads_along(here, next) ||
-        (size > 1e-6 && std::abs(problem_->unstable_directions() - unstable) > 1) ||
-        (next.tangent_load > 0.0 && next.load_factor <= here.load_factor)) {
-      size *= 0.5;
-      continue;
-    }
-    if (next.tangent_load <= 0.0) {
-      State limit = next;
-      if (!locate(here, size, limit) || limit.load_factor <= start.parameter) {
-        size *= 0.5;
-        continue;
-      }
-      passage = {ArcOutcome::limit_point, limit.load_factor, limit.z, iterations_};
-      return passage;
-    }
-    if (next.load_factor >= target) {  // the rest is load control's
-      if (here.load_factor > start.parameter)
-        return {ArcOutcome::passed, here.load_factor, here.z, iterations_};
-      size *= 0.5;
-      continue;
-    }
-    here = std::move(next);
-    unstable = problem_->unstable_directions();
-    if (here.tangent_load > 2.0 * steepness || k > 60)
-      return {ArcOutcome::passed, here.load_factor, here.z, iterations_};
-    size = std::min(1.5 * size, 0.05);
-  }
-  passage.iterations = iterations_;
-  return passage;
 }
 
 }  // namespace flexura

@@ -29,8 +29,9 @@ struct LocatedFeature {
 
 struct ContinuationOptions {
   double tolerance = 1e-11;
-  double largest_step = 0.1;    ///< arc length
-  double smallest_step = 1e-7;  ///< likewise
+  double largest_step = 0.1;     ///< arc length
+  double smallest_step = 1e-7;   ///< likewise, of stiff mechanisms as much less as they move less
+  double first_rise = INFINITY;  ///< of the load factor, in the first step
 };
 
 /// Follows a path of equilibria by pseudo-arc-length steps, through limit points and past
@@ -38,15 +39,14 @@ struct ContinuationOptions {
 /// degrees: only a short step can leave the path and still do that. Between two states it locates
 /// limit points (the load factor stands still), bifurcations (a direction becomes unstable or
 /// stable though the load factor does not turn) and zeros of the load factor.
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 class Continuation {
  public:
   Continuation(Problem& problem, ContinuationOptions options)
       : problem_(&problem),
         options_(options),
         arc_(problem, options.tolerance),
-        newton_({options.tolerance, 30, 6}),
-        size_(0.2 * options.largest_step) {}
+        newton_({options.tolerance, 30, 6}) {}
 
   /// Begins at a state, in the sense of a growing load factor. False where it is singular.
   bool start(double load_factor, const std::vector<double>& z);
@@ -56,17 +56,20 @@ class Continuation {
   /// between those of the last two states.
   bool land(double load_factor);
   /// Leaves the path at a bifurcation, along the critical direction (side 1) or against it (-1).
-  bool switch_branch(const ArcState& bifurcation, int side);
+  bool switch_branch(const ArcState& bifurcation, int side) requires BranchingProblem<Problem>;
   /// Goes on from a state of another, finer problem.
   void change_problem(Problem& problem, const ArcState& here);
 
   const ArcState& state() const { return here_; }
+  /// How much of an arc length a load factor of 1 is: what the mechanism moves by at first.
+  double load_scale() const { return load_scale_; }
   int unstable_directions() const { return unstable_; }
   /// What the last `advance` passed, in order.
   const std::vector<LocatedFeature>& features() const { return features_; }
   int iterations() const { return arc_.iterations() + iterations_; }
 
  private:
+  bool falls_back(const ArcState& next) const;
   bool locate_features(const ArcState& next, double size, int after);
   bool locate_change(double size, ArcState& at, double& place);
   bool changes_at_once(double place, double size, int after);
@@ -76,7 +79,8 @@ class Continuation {
   ContinuationOptions options_;
   ArcLength<Problem> arc_;
   Newton newton_;
-  double size_;
+  double size_ = 0.0;
+  double load_scale_ = 1.0;
   ArcState here_;
   ArcState before_;
   int unstable_ = 0;
@@ -84,27 +88,33 @@ class Continuation {
   int iterations_ = 0;
 };
 
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 bool Continuation<Problem>::start(double load_factor, const std::vector<double>& z) {
   here_ = {load_factor, z, {}, 0.0};
   problem_->set_load_factor(load_factor);
   ++iterations_;
-  if (!problem_->linearize(z) || !arc_.set_tangent(here_, nullptr)) return false;
+  if (!problem_->linearize(z)) return false;
+  problem_->load_direction(here_.tangent_z);
+  load_scale_ = std::clamp(std::sqrt(problem_->inner(here_.tangent_z, here_.tangent_z)), 1e-9, 1.0);
+  arc_.set_load_scale(load_scale_);
   unstable_ = problem_->unstable_directions();
+  if (!arc_.set_tangent(here_, nullptr)) return false;
+  size_ =
+      std::min(0.2 * options_.largest_step * load_scale_, options_.first_rise / here_.tangent_load);
   return true;
 }
 
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 bool Continuation<Problem>::advance() {
   features_.clear();
-  while (size_ >= options_.smallest_step) {
+  while (size_ >= options_.smallest_step * load_scale_) {
     ArcState next;
-    if (!arc_.step(here_, size_, next) || !arc_.heads_along(here_, next)) {
+    features_.clear();
+    if (!arc_.step(here_, size_, next) || !arc_.heads_along(here_, next) || falls_back(next)) {
       size_ *= 0.5;
       continue;
     }
     const int after = problem_->unstable_directions();
-    features_.clear();
     if (!locate_features(next, size_, after)) {
       size_ *= 0.5;
       continue;
@@ -118,14 +128,22 @@ bool Continuation<Problem>::advance() {
   return false;
 }
 
-/// False where the states on both sides of a change of stability do not meet: then the step has
-/// left the path for another one that passes close by.
-template <BranchingProblem Problem>
+/// Whether the load factor grows at both ends of a step and is less at its end, or the other way
+/// round: then it turns twice in between, or the end lies on another part of the path.
+template <LoadedProblem Problem>
+bool Continuation<Problem>::falls_back(const ArcState& next) const {
+  const double rise = next.load_factor - here_.load_factor;
+  return here_.tangent_load * next.tangent_load > 0.0 && rise * next.tangent_load < 0.0;
+}
+
+/// False where a limit point cannot be located, or the states on both sides of a change of
+/// stability do not meet: then the step has left the path for another one that passes close by.
+template <LoadedProblem Problem>
 bool Continuation<Problem>::locate_features(const ArcState& next, double size, int after) {
   ArcState at = next;
   if (here_.tangent_load * next.tangent_load < 0.0) {
-    if (arc_.locate(here_, size, at))
-      features_.push_back({PathFeature::limit_point, at, unstable_, after});
+    if (!arc_.locate(here_, size, at)) return false;
+    features_.push_back({PathFeature::limit_point, at, unstable_, after});
   } else if (after != unstable_) {
     double place = 0.0;
     if (!locate_change(size, at, place) || !changes_at_once(place, size, after)) return false;
@@ -143,7 +161,7 @@ bool Continuation<Problem>::locate_features(const ArcState& next, double size, i
 
 /// Bisection on the arc length for the end of the stretch with as many unstable directions as at
 /// its start. At the change itself the equations are singular: failing there is as near as it gets.
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 bool Continuation<Problem>::locate_change(double size, ArcState& at, double& place) {
   double low = 0.0, high = size;
   ArcState at_low = here_, at_high = at;
@@ -165,7 +183,7 @@ bool Continuation<Problem>::locate_change(double size, ArcState& at, double& pla
 
 /// Whether all directions that a step gains or loses do so at the place located; else a shorter
 /// step will find them one by one.
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 bool Continuation<Problem>::changes_at_once(double place, double size, int after) {
   if (std::abs(after - unstable_) < 2) return true;
   ArcState beyond;
@@ -174,7 +192,7 @@ bool Continuation<Problem>::changes_at_once(double place, double size, int after
 }
 
 /// The load factor's zero by regula falsi on the arc length, then by Newton at no load.
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 bool Continuation<Problem>::locate_zero(double size, ArcState& at) {
   double low = 0.0, high = size;
   double at_low = here_.load_factor, at_high = at.load_factor;
@@ -195,7 +213,7 @@ bool Continuation<Problem>::locate_zero(double size, ArcState& at) {
   return summary.outcome == NewtonOutcome::converged && problem_->linearize(at.z);
 }
 
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 bool Continuation<Problem>::land(double load_factor) {
   const double rise = here_.load_factor - before_.load_factor;
   const double share = rise == 0.0 ? 1.0 : (load_factor - before_.load_factor) / rise;
@@ -210,8 +228,9 @@ bool Continuation<Problem>::land(double load_factor) {
   return arc_.set_tangent(here_, &before_);
 }
 
-template <BranchingProblem Problem>
-bool Continuation<Problem>::switch_branch(const ArcState& bifurcation, int side) {
+template <LoadedProblem Problem>
+bool Continuation<Problem>::switch_branch(const ArcState& bifurcation,
+                                          int side) requires BranchingProblem<Problem> {
   ArcState from = bifurcation;
   problem_->set_load_factor(from.load_factor);
   ++iterations_;
@@ -239,11 +258,12 @@ bool Continuation<Problem>::switch_branch(const ArcState& bifurcation, int side)
   return false;
 }
 
-template <BranchingProblem Problem>
+template <LoadedProblem Problem>
 void Continuation<Problem>::change_problem(Problem& problem, const ArcState& here) {
   iterations_ += arc_.iterations();
   problem_ = &problem;
   arc_ = ArcLength<Problem>(problem, options_.tolerance);
+  arc_.set_load_scale(load_scale_);
   here_ = here;
   problem_->set_load_factor(here_.load_factor);
   if (problem_->linearize(here_.z)) unstable_ = problem_->unstable_directions();

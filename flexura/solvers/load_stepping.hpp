@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "flexura/solvers/arc_length.hpp"
+#include "flexura/solvers/continuation.hpp"
 #include "flexura/solvers/hermite_predictor.hpp"
 #include "flexura/solvers/newton.hpp"
 
@@ -282,23 +282,41 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
 /// merely steep, and load control takes over again past it.
 template <LoadedProblem Problem>
 SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
-  ArcLength<Problem> arc(*problem_, options_.tolerance);
-  const ArcPassage passage = arc.pass(points_.back(), target);
-  iterations_ += passage.iterations;
-  const double here = points_.back().parameter;
-  if (passage.outcome == ArcOutcome::limit_point)
-    return {SteppingOutcome::limit_point, passage.load_factor, passage.z};
-  if (passage.outcome == ArcOutcome::lost) return {SteppingOutcome::lost, here, {}};
-  problem_->set_load_factor(passage.load_factor);
-  ++iterations_;
-  if (!problem_->linearize(passage.z)) return {SteppingOutcome::lost, here, {}};
-  const int unstable = problem_->unstable_directions();
-  if (unstable != unstable_)
-    changes_.push_back({passage.load_factor, unstable_, unstable, passage.z});
-  unstable_ = unstable;
-  const Energy energy = energy_at(passage.z, slope_);
-  accept(passage.load_factor, passage.z, energy);
-  return {SteppingOutcome::reached, passage.load_factor, {}};
+  const double start = points_.back().parameter;
+  Continuation<Problem> path(*problem_, {options_.tolerance, 0.05, 1e-9, options_.smallest_step});
+  const auto lost = [&]() -> SteppingSummary {
+    iterations_ += path.iterations();
+    return {SteppingOutcome::lost, start, {}};
+  };
+  if (!path.start(start, points_.back().value)) return lost();
+  const auto slope_of = [this](const ArcState& state) {
+    return std::sqrt(problem_->inner(state.tangent_z, state.tangent_z)) / state.tangent_load;
+  };
+  const double steep = slope_of(path.state());
+  for (int k = 0; k < 400; ++k) {
+    if (!path.advance()) return lost();
+    for (const LocatedFeature& found : path.features()) {
+      if (found.feature == PathFeature::limit_point) {
+        if (found.state.load_factor <= start) return lost();
+        iterations_ += path.iterations();
+        return {SteppingOutcome::limit_point, found.state.load_factor, found.state.z};
+      }
+      changes_.push_back(
+          {found.state.load_factor, found.unstable_before, found.unstable_after, found.state.z});
+    }
+    const bool arrived = path.state().load_factor >= target;
+    if (arrived && !path.land(target)) return lost();
+    if (!arrived && k <= 60 && slope_of(path.state()) > 0.5 * steep) continue;
+    const ArcState& here = path.state();
+    unstable_ = path.unstable_directions();
+    problem_->set_load_factor(here.load_factor);
+    iterations_ += path.iterations() + 1;
+    if (!problem_->linearize(here.z)) return {SteppingOutcome::lost, start, {}};
+    const Energy energy = energy_at(here.z, slope_);
+    accept(here.load_factor, here.z, energy);
+    return {SteppingOutcome::reached, here.load_factor, {}};
+  }
+  return lost();
 }
 
 template <LoadedProblem Problem>

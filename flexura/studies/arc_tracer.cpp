@@ -47,7 +47,7 @@ class ArcTracer {
   void note_features(Path& path);
   void record(Path& path);
   bool is_accurate(const std::vector<double>& errors, double reaction_error);
-  bool measure(const ArcState& at, std::vector<double>& errors, double& reaction_error);
+  bool measure(const Path& path, std::vector<double>& errors, double& reaction_error);
   void stop(const Path& path);
 
   const PathStudy& study_;
@@ -158,11 +158,13 @@ void ArcTracer::note_features(Path& path) {
 
 /// The same point of the path by the finer system: on the plane across the tangent, so that the
 /// estimate does not depend on how steep the path is.
-bool ArcTracer::measure(const ArcState& at, std::vector<double>& errors, double& reaction_error) {
+bool ArcTracer::measure(const Path& path, std::vector<double>& errors, double& reaction_error) {
+  const ArcState& at = path.state();
   ArcState start{at.load_factor, system().prolong(at.z, *finer_),
                  system().prolong(at.tangent_z, *finer_), at.tangent_load};
   finer_->hold_as(system());
   ArcLength<System> arc(*finer_, options_.tolerance);
+  arc.set_load_scale(path.load_scale());
   const bool solved = arc.step(start, 0.0, finer_state_);
   path_.iterations += arc.iterations();
   if (!solved) return false;
@@ -205,7 +207,7 @@ void ArcTracer::record(Path& path) {
       errors.assign(points_.size(), 0.0);
       break;
     }
-    if (!measure(path.state(), errors, reaction_error)) {
+    if (!measure(path, errors, reaction_error)) {
       errors.clear();
       break;
     }
