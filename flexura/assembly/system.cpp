@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "flexura/assembly/mechanism_scale.hpp"
 
@@ -173,6 +174,14 @@ double System::inner(const std::vector<double>& a, const std::vector<double>& b)
     const auto k = static_cast<std::size_t>(std::max(body.position, 0));
     if (body.position >= 0) sum += (a[k] * b[k] + a[k + 1] * b[k + 1]) / (length_ * length_);
     if (body.rotation >= 0) sum += a[k + 2] * b[k + 2];
+  }
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const auto first = static_cast<std::ptrdiff_t>(members_[k].internal);
+    const auto count = static_cast<std::ptrdiff_t>(layout_.members[k].port->internal_size());
+    if (count > 0)
+      sum += std::inner_product(a.begin() + first, a.begin() + first + count, b.begin() + first,
+                                0.0) /
+             static_cast<double>(count);
   }
   return sum;
 }

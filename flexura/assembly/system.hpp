@@ -91,7 +91,8 @@ class System {
   /// displacements by a mean flexure length, loads by those that bend a flexure by a radian.
   Eigen::VectorXd unknown_scale() const;
 
-  /// Scalar product of changes of z: displacements in mean flexure lengths, rotations in radians.
+  /// Scalar product of changes of z: displacements in mean flexure lengths, rotations in radians,
+  /// and the mean over each flexure's internal unknowns, as a flexure may give way by itself.
   double inner(const std::vector<double>& a, const std::vector<double>& b) const;
   /// Largest change of a displacement or rotation of a body between two states, likewise.
   double distance(const std::vector<double>& a, const std::vector<double>& b) const;
