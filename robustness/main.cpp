@@ -25,6 +25,7 @@ constexpr double least_correct = 0.999;
 
 const char* name_of(Verdict::End end) {
   if (end == Verdict::End::reached) return "full load";
+  if (end == Verdict::End::wound_up) return "wound up";
   return end == Verdict::End::limit_point ? "limit point" : "failed";
 }
 
@@ -39,13 +40,14 @@ std::string describe(const RandomMechanism& mechanism, const Verdict& verdict) {
 }
 
 struct Tally {
-  std::size_t reached = 0, limits = 0, failed = 0, correct = 0, unstable = 0;
+  std::size_t reached = 0, limits = 0, wound = 0, failed = 0, correct = 0, unstable = 0;
   std::size_t compared = 0, agree = 0, other_branch = 0;
   std::map<std::string, int> categories;
 
   void add(const Verdict& verdict) {
     ++(verdict.end == Verdict::End::reached       ? reached
        : verdict.end == Verdict::End::limit_point ? limits
+       : verdict.end == Verdict::End::wound_up    ? wound
                                                   : failed);
     correct += verdict.correct ? 1 : 0;
     unstable += verdict.unstable ? 1 : 0;
@@ -64,6 +66,7 @@ void print(const Tally& tally, std::size_t count) {
   };
   line("full load reached", tally.reached);
   line("limit point, passed by arc length", tally.limits);
+  line("flexures wound up by 10 turns, in equilibrium", tally.wound);
   line("failed", tally.failed);
   line("correct", tally.correct);
   line("of all, ended on an unstable stretch of their path", tally.unstable);

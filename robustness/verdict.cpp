@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -27,8 +28,8 @@ void fail(Verdict& verdict, const char* category, std::string reason) {
   verdict.reason = std::move(reason);
 }
 
-void judge_full_load(const TracedPath& path, Verdict& verdict) {
-  verdict.end = Verdict::End::reached;
+void judge_state(const TracedPath& path, Verdict::End end, Verdict& verdict) {
+  verdict.end = end;
   const TracedState& last = path.states.back();
   verdict.load_factor = last.load_factor;
   verdict.unstable = last.unstable_directions > 0;
@@ -50,7 +51,8 @@ std::vector<double> state_before(const TracedPath& path, const TracedEvent& even
 std::string pass_limit_point(const TracedPath& path, const TracedEvent& event, double tolerance,
                              double longest_step) {
   System& system = *path.systems[event.system];
-  Continuation<System> arc(system, {algebraic_tolerance(tolerance), longest_step, 1e-11});
+  Continuation<System> arc(
+      system, {algebraic_tolerance(tolerance), longest_step, 1e-11, 10.0 * longest_step});
   const double start = path.states.back().load_factor;
   std::vector<double> z = state_before(path, event);
   system.set_load_factor(start);
@@ -92,6 +94,12 @@ void judge_limit_point(const TracedPath& path, const TracedEvent& event, double 
        fmt::format("claimed at {:.10g}: {}", event.load_factor, found));
 }
 
+bool is_wound_up(const TracedPath& path) {
+  if (path.states.empty()) return false;
+  const TracedState& last = path.states.back();
+  return path.systems[last.system]->largest_turn(last.z) > 20.0 * std::numbers::pi;
+}
+
 const TracedEvent* limit_point_of(const TracedPath& path) {
   const auto at = std::find_if(path.events.begin(), path.events.end(),
                                [](const auto& event) { return event.kind == "limit point"; });
@@ -114,15 +122,18 @@ Verdict judge(const RandomMechanism& mechanism, const JudgeOptions& options) {
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const TracedEvent* limit = limit_point_of(path);
   if (path.termination.converged()) {
-    judge_full_load(path, verdict);
+    judge_state(path, Verdict::End::reached, verdict);
   } else if (limit != nullptr) {
     judge_limit_point(path, *limit, exact.tolerance, verdict);
+  } else if (is_wound_up(path)) {
+    judge_state(path, Verdict::End::wound_up, verdict);
   } else {
     if (!path.states.empty()) verdict.load_factor = path.states.back().load_factor;
     const bool singular = path.states.empty();
     fail(verdict, singular ? "singular start" : "lost", path.termination.reason);
   }
-  if (options.compare && verdict.correct) compare_with_elements(mechanism, path, verdict);
+  if (options.compare && verdict.correct && verdict.end != Verdict::End::wound_up)
+    compare_with_elements(mechanism, path, verdict);
   return verdict;
 }
 

@@ -8,7 +8,7 @@ namespace flexura::robustness {
 
 /// How a path ended, and what was found when that was looked into.
 struct Verdict {
-  enum class End { reached, limit_point, failed };
+  enum class End { reached, limit_point, wound_up, failed };
   /// What a second solution by high-order beam elements says.
   enum class Comparison { none, agrees, other_branch, differs };
 
@@ -28,7 +28,8 @@ struct JudgeOptions {
 };
 
 /// Solves the mechanism by modeling `exact` as study `path` does, and looks into the end: a state
-/// at full load must be an equilibrium, and a limit point must be passed by arc length.
+/// at full load or with flexures wound up must be an equilibrium, and a limit point must be passed
+/// by arc length.
 Verdict judge(const RandomMechanism& mechanism, const JudgeOptions& options);
 
 /// Whether the study's result on one thread and on two are the same to the last bit.

@@ -179,9 +179,9 @@ double System::inner(const std::vector<double>& a, const std::vector<double>& b)
     const auto first = static_cast<std::ptrdiff_t>(members_[k].internal);
     const auto count = static_cast<std::ptrdiff_t>(layout_.members[k].port->internal_size());
     if (count > 0)
-      sum += std::inner_product(a.begin() + first, a.begin() + first + count, b.begin() + first,
-                                0.0) /
-             static_cast<double>(count);
+      sum +=
+          std::inner_product(a.begin() + first, a.begin() + first + count, b.begin() + first, 0.0) /
+          static_cast<double>(count);
   }
   return sum;
 }
@@ -194,6 +194,13 @@ double System::distance(const std::vector<double>& a, const std::vector<double>&
       largest = std::max(largest, std::hypot(a[k] - b[k], a[k + 1] - b[k + 1]) / length_);
     if (body.rotation >= 0) largest = std::max(largest, std::abs(a[k + 2] - b[k + 2]));
   }
+  return largest;
+}
+
+double System::largest_turn(const std::vector<double>& z) const {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < members_.size(); ++k)
+    largest = std::max(largest, std::abs(relative_pose_of(k, z).value[2]));
   return largest;
 }
 

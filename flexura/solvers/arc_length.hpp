@@ -50,9 +50,9 @@ class ArcLength {
   /// The state at the given distance along the tangent, on the plane across it; the problem is then
   /// linearized there.
   bool step(const ArcState& from, double size, ArcState& to);
-  /// Whether the path heads along a step at both of its ends, to within 25 degrees: only a short
-  /// step can leave the path and still do that.
-  bool heads_along(const ArcState& from, const ArcState& to) const;
+  /// Whether the path heads along a step at both of its ends, to within an angle (25 degrees): only
+  /// a short step can leave the path and still do that.
+  bool heads_along(const ArcState& from, const ArcState& to, double least_cosine = 0.906) const;
   /// The limit point between two neighbouring states (see below).
   bool locate(const ArcState& before, double size, ArcState& limit);
   int iterations() const { return iterations_; }
@@ -121,7 +121,8 @@ bool ArcLength<Problem>::step(const ArcState& from, double size, ArcState& to) {
 }
 
 template <LoadedProblem Problem>
-bool ArcLength<Problem>::heads_along(const ArcState& from, const ArcState& to) const {
+bool ArcLength<Problem>::heads_along(const ArcState& from, const ArcState& to,
+                                     double least_cosine) const {
   std::vector<double> gone = to.z;
   add_scaled(gone, -1.0, from.z);
   const double rise = load_scale_ * (to.load_factor - from.load_factor);
@@ -129,8 +130,7 @@ bool ArcLength<Problem>::heads_along(const ArcState& from, const ArcState& to) c
   const auto along = [&](const ArcState& state) {
     return problem_->inner(gone, state.tangent_z) + rise * load_scale_ * state.tangent_load;
   };
-  constexpr double least = 0.906;  // cos 25 degrees
-  return along(from) > least * length && along(to) > least * length;
+  return along(from) > least_cosine * length && along(to) > least_cosine * length;
 }
 
 /// The arc length past `before` at which the load factor stands still, by regula falsi on the

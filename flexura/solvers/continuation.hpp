@@ -31,6 +31,7 @@ struct ContinuationOptions {
   double tolerance = 1e-11;
   double largest_step = 0.1;     ///< arc length
   double smallest_step = 1e-7;   ///< likewise, of stiff mechanisms as much less as they move less
+  double straight_step = 0.0;    ///< largest where the path turns by less than 3 degrees, if more
   double first_rise = INFINITY;  ///< of the load factor, in the first step
 };
 
@@ -119,10 +120,12 @@ bool Continuation<Problem>::advance() {
       size_ *= 0.5;
       continue;
     }
+    const bool straight = arc_.heads_along(here_, next, 0.9986);
     before_ = std::move(here_);
     here_ = std::move(next);
     unstable_ = after;
-    size_ = std::min(1.5 * size_, options_.largest_step);
+    const double largest = std::max(options_.largest_step, straight ? options_.straight_step : 0.0);
+    size_ = std::min(1.5 * size_, largest);
     return true;
   }
   return false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <deque>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,7 @@
 
 namespace flexura {
 
-enum class SteppingOutcome { reached, limit_point, singular_start, lost };
+enum class SteppingOutcome { reached, limit_point, wound_up, lost };
 
 /// A change of the number of unstable directions, located on the path.
 struct StabilityChange {
@@ -71,6 +72,7 @@ class LoadStepping {
 
   bool try_step(double to);
   bool step_over(double target);
+  bool is_wound_up() const;
   bool goes_on(const std::vector<double>& z) const;
   bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
   bool work_is_smooth(double from, double to, const Energy& now) const;
@@ -79,7 +81,9 @@ class LoadStepping {
   Energy energy_at(const std::vector<double>& z, std::vector<double>& slope);
   SteppingSummary follow_arc(double target);
 
-  static constexpr int most_tries = 300;  // for one load factor asked for
+  static constexpr int most_tries = 1000;   // for one load factor asked for
+  static constexpr int tries_unwound = 50;  // likewise, before it is asked whether it winds up
+  static constexpr double most_turn = 20.0 * std::numbers::pi;
 
   Problem* problem_;
   SteppingOptions options_;
@@ -122,6 +126,8 @@ auto LoadStepping<Problem>::energy_at(const std::vector<double>& z, std::vector<
 template <LoadedProblem Problem>
 SteppingSummary LoadStepping<Problem>::advance(double target) {
   for (int tries = 0; points_.back().parameter < target; ++tries) {
+    if (tries > tries_unwound && is_wound_up())
+      return {SteppingOutcome::wound_up, points_.back().parameter, {}};
     if (tries == most_tries) return {SteppingOutcome::lost, points_.back().parameter, {}};
     const double from = points_.back().parameter;
     double step = std::min(next_step_, target - from);
@@ -139,6 +145,14 @@ SteppingSummary LoadStepping<Problem>::advance(double target) {
     }
   }
   return {SteppingOutcome::reached, target, {}};
+}
+
+/// Flexures that wind up around each other without end, under loads far beyond what bends them.
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::is_wound_up() const {
+  if constexpr (requires { problem_->largest_turn(state_); })
+    return problem_->largest_turn(state_) > most_turn;
+  return false;
 }
 
 /// Where the load factor asked for is critical itself, no Newton iteration converges on it: goes a
@@ -166,6 +180,8 @@ bool LoadStepping<Problem>::try_step(double to) {
   const double moved = problem_->distance(z, points_.back().value);
   const bool first = points_.size() == 1;
   if (!first && summary.first_step > 0.02 && summary.first_step > 0.1 * moved) return false;
+  // without an energy to tell branches apart, only short steps are sure to stay on theirs
+  if (problem_->has_follower_loads() && moved > 0.5) return false;
   const int unstable = problem_->unstable_directions();
   const Energy energy = energy_at(z, slope_);
   // where nothing moves but by rounding, directions and work mean nothing
@@ -283,7 +299,8 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
 template <LoadedProblem Problem>
 SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
   const double start = points_.back().parameter;
-  Continuation<Problem> path(*problem_, {options_.tolerance, 0.05, 1e-9, options_.smallest_step});
+  Continuation<Problem> path(*problem_,
+                             {options_.tolerance, 0.05, 1e-9, 0.5, options_.smallest_step});
   const auto lost = [&]() -> SteppingSummary {
     iterations_ += path.iterations();
     return {SteppingOutcome::lost, start, {}};
@@ -306,7 +323,7 @@ SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
     }
     const bool arrived = path.state().load_factor >= target;
     if (arrived && !path.land(target)) return lost();
-    if (!arrived && k <= 60 && slope_of(path.state()) > 0.5 * steep) continue;
+    if (!arrived && k <= 200 && slope_of(path.state()) > 0.5 * steep) continue;
     const ArcState& here = path.state();
     unstable_ = path.unstable_directions();
     problem_->set_load_factor(here.load_factor);

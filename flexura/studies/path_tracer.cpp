@@ -102,6 +102,7 @@ TracedPath PathTracer::run() {
     const SteppingSummary summary = advance(stepping, load_factor);
     note_changes(stepping);
     if (summary.outcome != SteppingOutcome::reached) {
+      if (summary.outcome == SteppingOutcome::wound_up) record(stepping, summary.load_factor, {});
       stop(summary);
       break;
     }
@@ -166,7 +167,11 @@ bool PathTracer::refine(Stepping& stepping) {
 /// so few modes can follow: an end counts once the next finer system ends there, too.
 SteppingSummary PathTracer::advance(Stepping& stepping, double load_factor) {
   SteppingSummary summary = stepping.advance(load_factor);
-  while (summary.outcome != SteppingOutcome::reached && may_refine()) {
+  const auto ends = [&summary] {
+    return summary.outcome == SteppingOutcome::limit_point ||
+           summary.outcome == SteppingOutcome::lost;
+  };
+  while (ends() && may_refine()) {
     SteppingSummary before = std::move(summary);
     note_changes(stepping);  // while they belong to this system
     if (!refine(stepping)) {
@@ -279,6 +284,14 @@ void PathTracer::stop(const SteppingSummary& summary) {
       path_.termination.reason += fmt::format(
           "; but it has been unstable from load factor {:.6g} on, and leaves this path there",
           *lost);
+    return;
+  }
+  if (summary.outcome == SteppingOutcome::wound_up) {
+    path_.termination.reason = fmt::format(
+        "at load factor {:.6g} the ends of a flexure have turned against each other by more than "
+        "10 turns: it winds up like a spring, under loads far beyond what bends it. Smaller loads "
+        "will do; are their units right?",
+        summary.load_factor);
     return;
   }
   path_.termination.reason = fmt::format(
