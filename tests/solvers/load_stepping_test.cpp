@@ -117,6 +117,80 @@ TEST(LoadStepping, FollowsAStiffeningPath) {
   EXPECT_NEAR(u - 1.5 * u * u + 0.5 * u * u * u, -5.0, 1e-11);
 }
 
+/// A stiff strut (x) that its load bends aside (y) from an imperfection of a millionth of a
+/// millionth: W = k x^2/2 + y^2/2 - y^3/3, displacement of the load x + (y^2/2 + e y)/c. With m =
+/// load/c, equilibrium is (1 - m) y - y^2 = m e, which turns back at m = 1 + 2e - 2 sqrt(e + e^2).
+/// Beyond a gap of four millionths, other equilibria with y < 0 lead on, up to any load.
+struct ImperfectStrut {
+  static constexpr double k = 1e6, c = 0.0148, e = 1e-12;
+  double factor = 0.0, x = 0.0, y = 0.0;
+
+  double bend() const { return 1.0 - 2.0 * y - factor / c; }
+  void set_load_factor(double f) { factor = f; }
+  bool linearize(const std::vector<double>& z) {
+    x = z[0];
+    y = z[1];
+    return bend() != 0.0 && std::isfinite(y);
+  }
+  double newton_step(std::vector<double>& step) const {
+    step = {(factor - k * x) / k, -(y - y * y - factor / c * (y + e)) / bend()};
+    return std::max(std::abs(step[0]), std::abs(step[1]));
+  }
+  void load_direction(std::vector<double>& direction) const {
+    direction = {1.0 / k, (y + e) / c / bend()};
+  }
+  int unstable_directions() const { return bend() < 0.0 ? 1 : 0; }
+  double strain_energy() const { return 0.5 * k * x * x + 0.5 * y * y - y * y * y / 3.0; }
+  double load_displacement(const std::vector<double>& z) const {
+    return z[0] + (0.5 * z[1] * z[1] + e * z[1]) / c;
+  }
+  double load_rate(const std::vector<double>& direction) const {
+    return direction[0] + (y + e) / c * direction[1];
+  }
+  bool has_follower_loads() const { return false; }
+  double inner(const std::vector<double>& a, const std::vector<double>& b) const {
+    return a[0] * b[0] + a[1] * b[1];
+  }
+  double distance(const std::vector<double>& a, const std::vector<double>& b) const {
+    return std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1]));
+  }
+};
+static_assert(LoadedProblem<ImperfectStrut>);
+
+const double strut_limit =
+    ImperfectStrut::c *
+    (1.0 + 2.0 * ImperfectStrut::e -
+     2.0 * std::sqrt(ImperfectStrut::e + ImperfectStrut::e * ImperfectStrut::e));
+
+TEST(LoadStepping, TurnsBackBeforeAGapOfMillionths) {
+  for (const int steps : {1, 20, 300}) {
+    ImperfectStrut strut;
+    LoadStepping<ImperfectStrut> stepping(strut, {1e-12, 1e-4});
+    ASSERT_TRUE(stepping.start({0.0, 0.0}));
+    SteppingSummary summary;
+    for (int k = 1; k <= steps && summary.outcome == SteppingOutcome::reached; ++k)
+      summary = stepping.advance(static_cast<double>(k) / steps);
+    ASSERT_EQ(summary.outcome, SteppingOutcome::limit_point) << steps;
+    EXPECT_NEAR(summary.load_factor, strut_limit, 1e-10 * strut_limit) << steps;
+  }
+}
+
+TEST(LoadStepping, ArcLengthsTurnBackBeforeAGapOfMillionths) {
+  for (const double largest : {0.1, 0.01}) {
+    ImperfectStrut strut;
+    Continuation<ImperfectStrut> path(strut, {1e-12, largest, 1e-9});
+    ASSERT_TRUE(path.start(0.0, {0.0, 0.0}));
+    std::vector<LocatedFeature> found;
+    for (int k = 0; k < 300 && found.empty(); ++k) {
+      ASSERT_TRUE(path.advance());
+      found = path.features();
+    }
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found[0].feature, PathFeature::limit_point);
+    EXPECT_NEAR(found[0].state.load_factor, strut_limit, 1e-10 * strut_limit);
+  }
+}
+
 TEST(LoadStepping, ASingularStartIsReported) {
   Truss truss;
   LoadStepping<Truss> stepping(truss, {1e-12, 1e-4});
