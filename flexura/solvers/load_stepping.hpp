@@ -180,8 +180,10 @@ bool LoadStepping<Problem>::try_step(double to) {
   const double moved = problem_->distance(z, points_.back().value);
   const bool first = points_.size() == 1;
   if (!first && summary.first_step > 0.02 && summary.first_step > 0.1 * moved) return false;
-  // without an energy to tell branches apart, only short steps are sure to stay on theirs
-  if (problem_->has_follower_loads() && moved > 0.5) return false;
+  // without an energy to tell branches apart, only short steps are sure to stay on theirs; with
+  // one, long steps that came out as predicted are, too
+  if (moved > 0.5 && problem_->has_follower_loads()) return false;
+  if (moved > 1.0 && summary.first_step > 0.01 * moved) return false;
   const int unstable = problem_->unstable_directions();
   const Energy energy = energy_at(z, slope_);
   // where nothing moves but by rounding, directions and work mean nothing
