@@ -66,7 +66,7 @@ void print(const Tally& tally, std::size_t count) {
   };
   line("full load reached", tally.reached);
   line("limit point, passed by arc length", tally.limits);
-  line("flexures wound up by 10 turns, in equilibrium", tally.wound);
+  line("flexures wound up by 3 turns, in equilibrium", tally.wound);
   line("failed", tally.failed);
   line("correct", tally.correct);
   line("of all, ended on an unstable stretch of their path", tally.unstable);

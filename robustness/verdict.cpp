@@ -97,7 +97,7 @@ void judge_limit_point(const TracedPath& path, const TracedEvent& event, double 
 bool is_wound_up(const TracedPath& path) {
   if (path.states.empty()) return false;
   const TracedState& last = path.states.back();
-  return path.systems[last.system]->largest_turn(last.z) > 20.0 * std::numbers::pi;
+  return path.systems[last.system]->largest_turn(last.z) > 6.0 * std::numbers::pi;
 }
 
 const TracedEvent* limit_point_of(const TracedPath& path) {

@@ -83,7 +83,7 @@ class LoadStepping {
 
   static constexpr int most_tries = 1000;   // for one load factor asked for
   static constexpr int tries_unwound = 50;  // likewise, before it is asked whether it winds up
-  static constexpr double most_turn = 20.0 * std::numbers::pi;
+  static constexpr double most_turn = 6.0 * std::numbers::pi;
 
   Problem* problem_;
   SteppingOptions options_;

@@ -289,7 +289,7 @@ void PathTracer::stop(const SteppingSummary& summary) {
   if (summary.outcome == SteppingOutcome::wound_up) {
     path_.termination.reason = fmt::format(
         "at load factor {:.6g} the ends of a flexure have turned against each other by more than "
-        "10 turns: it winds up like a spring, under loads far beyond what bends it. Smaller loads "
+        "three turns: it winds up like a spring, under loads far beyond what bends it. Smaller loads "
         "will do; are their units right?",
         summary.load_factor);
     return;
