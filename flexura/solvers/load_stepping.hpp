@@ -70,19 +70,21 @@ class LoadStepping {
     double rate = 0.0;          // its derivative by the load factor
   };
 
-  bool try_step(double to);
+  bool try_step(double to, double meet = states_meet);
   bool step_over(double target);
+  bool cross_over(double target);
   bool is_wound_up() const;
   bool goes_on(const std::vector<double>& z) const;
   bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
   bool work_is_smooth(double from, double to, const Energy& now) const;
   void accept(double load_factor, std::vector<double> z, const Energy& energy);
-  bool locate_change(double from, double to, const std::vector<double>& z, int after);
+  bool locate_change(double from, double to, const std::vector<double>& z, int after, double meet);
   Energy energy_at(const std::vector<double>& z, std::vector<double>& slope);
   SteppingSummary follow_arc(double target);
 
   static constexpr int most_tries = 1000;   // for one load factor asked for
   static constexpr int tries_unwound = 50;  // likewise, before it is asked whether it winds up
+  static constexpr double states_meet = 1e-7;
   static constexpr double most_turn = 6.0 * std::numbers::pi;
 
   Problem* problem_;
@@ -141,10 +143,23 @@ SteppingSummary LoadStepping<Problem>::advance(double target) {
       if (step_over(target)) break;
       SteppingSummary followed = follow_arc(target);
       next_step_ = 4.0 * options_.smallest_step;
-      if (followed.outcome != SteppingOutcome::reached) return followed;
+      if (followed.outcome == SteppingOutcome::reached) continue;
+      if (followed.outcome == SteppingOutcome::lost && cross_over(target)) continue;
+      return followed;
     }
   }
   return {SteppingOutcome::reached, target, {}};
+}
+
+/// A bifurcation that is perfect to rounding: so near to it that nothing moves but by rounding, no
+/// path is left to follow, and beside it states scatter. Steps lead across it.
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::cross_over(double target) {
+  constexpr double scatter = 1e-4;
+  const double from = points_.back().parameter;
+  for (double step = options_.smallest_step; step < 32.0 * options_.smallest_step; step *= 2.0)
+    if (try_step(std::min(from + step, target), scatter)) return true;
+  return false;
 }
 
 /// Flexures that wind up around each other without end, under loads far beyond what bends them.
@@ -168,7 +183,7 @@ bool LoadStepping<Problem>::step_over(double target) {
 }
 
 template <LoadedProblem Problem>
-bool LoadStepping<Problem>::try_step(double to) {
+bool LoadStepping<Problem>::try_step(double to, double meet) {
   const double from = points_.back().parameter;
   std::vector<double> z;
   extrapolate_hermite(points_, to, z);
@@ -192,7 +207,7 @@ bool LoadStepping<Problem>::try_step(double to) {
       !(goes_on(z) && work_is_smooth(from, to, energy) && middle_fits(to, z, moved, unstable)))
     return false;
   if (unstable != unstable_) {
-    if (to - from > 0.01 || !locate_change(from, to, z, unstable)) return false;
+    if (to - from > 0.01 || !locate_change(from, to, z, unstable, meet)) return false;
     unstable_ = unstable;
   }
   accept(to, std::move(z), energy);
@@ -267,7 +282,7 @@ void LoadStepping<Problem>::accept(double load_factor, std::vector<double> z,
 /// gone beyond it to another branch.
 template <LoadedProblem Problem>
 bool LoadStepping<Problem>::locate_change(double from, double to, const std::vector<double>& z,
-                                          int after) {
+                                          int after, double meet) {
   StabilityChange change{to, unstable_, after, {}};
   double low = from;
   double high = to;
@@ -289,7 +304,7 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
   }
   // at the change itself Newton's method may fail: near it the path is still one
   if (high - low > 0.01 * (to - from) ||
-      problem_->distance(at_low, at_high) > std::max(0.1 * moved, 1e-7))
+      problem_->distance(at_low, at_high) > std::max(0.1 * moved, meet))
     return false;
   change.load_factor = high;
   changes_.push_back(std::move(change));
