@@ -23,7 +23,6 @@ concept LoadedProblem = NewtonProblem<P> &&
   { p.load_rate(z) } -> std::convertible_to<double>;
   { p.has_follower_loads() } -> std::convertible_to<bool>;
   { p.inner(z, z) } -> std::convertible_to<double>;
-  { p.distance(z, z) } -> std::convertible_to<double>;
 };
 
 /// A state of a path with its unit tangent (tangent_z, tangent_load).

@@ -77,6 +77,7 @@ class LoadStepping {
   bool goes_on(const std::vector<double>& z) const;
   bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
   bool work_is_smooth(double from, double to, const Energy& now) const;
+  double distance(const std::vector<double>& a, const std::vector<double>& b) const;
   void accept(double load_factor, std::vector<double> z, const Energy& energy);
   bool locate_change(double from, double to, const std::vector<double>& z, int after, double meet);
   Energy energy_at(const std::vector<double>& z, std::vector<double>& slope);
@@ -192,7 +193,7 @@ bool LoadStepping<Problem>::try_step(double to, double meet) {
   iterations_ += summary.iterations;
   if (summary.outcome != NewtonOutcome::converged) return false;
 
-  const double moved = problem_->distance(z, points_.back().value);
+  const double moved = distance(z, points_.back().value);
   const bool first = points_.size() == 1;
   if (!first && summary.first_step > 0.02 && summary.first_step > 0.1 * moved) return false;
   // without an energy to tell branches apart, only short steps are sure to stay on theirs; with
@@ -267,6 +268,14 @@ bool LoadStepping<Problem>::work_is_smooth(double from, double to, const Energy&
 }
 
 template <LoadedProblem Problem>
+double LoadStepping<Problem>::distance(const std::vector<double>& a,
+                                       const std::vector<double>& b) const {
+  std::vector<double> gone = b;
+  add_scaled(gone, -1.0, a);
+  return std::sqrt(problem_->inner(gone, gone));
+}
+
+template <LoadedProblem Problem>
 void LoadStepping<Problem>::accept(double load_factor, std::vector<double> z,
                                    const Energy& energy) {
   ++steps_;
@@ -288,7 +297,7 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
   double high = to;
   std::vector<double> at_low = points_.back().value;
   std::vector<double> at_high = z;
-  const double moved = problem_->distance(at_low, at_high);
+  const double moved = distance(at_low, at_high);
   while (high - low > 1e-11) {
     const double middle = 0.5 * (low + high);
     std::vector<double> trial;
@@ -304,7 +313,7 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
   }
   // at the change itself Newton's method may fail: near it the path is still one
   if (high - low > 0.01 * (to - from) ||
-      problem_->distance(at_low, at_high) > std::max(0.1 * moved, meet))
+      distance(at_low, at_high) > std::max(0.1 * moved, meet))
     return false;
   change.load_factor = high;
   changes_.push_back(std::move(change));
