@@ -297,6 +297,7 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
   double high = to;
   std::vector<double> at_low = points_.back().value;
   std::vector<double> at_high = z;
+  int at_change = after;
   const double moved = distance(at_low, at_high);
   while (high - low > 1e-11) {
     const double middle = 0.5 * (low + high);
@@ -306,15 +307,21 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
     const NewtonSummary summary = newton_.solve(*problem_, trial);
     iterations_ += summary.iterations;
     if (summary.outcome != NewtonOutcome::converged) break;
-    const bool before = problem_->unstable_directions() == unstable_;
+    const int unstable = problem_->unstable_directions();
+    const bool before = unstable == unstable_;
     (before ? low : high) = middle;
     (before ? at_low : at_high) = trial;
-    if (!before) change.z = std::move(trial);
+    if (before) continue;
+    at_change = unstable;
+    change.z = std::move(trial);
   }
   // at the change itself Newton's method may fail: near it the path is still one
-  if (high - low > 0.01 * (to - from) ||
-      distance(at_low, at_high) > std::max(0.1 * moved, meet))
+  const double bracket = (high - low) / (to - from);
+  if (bracket > 0.01 ||
+      distance(at_low, at_high) > std::max(std::max(1e-3, 3.0 * bracket) * moved, meet))
     return false;
+  // directions lost one after another are found by shorter steps
+  if (at_change != after && to - from > 2.0 * options_.smallest_step) return false;
   change.load_factor = high;
   changes_.push_back(std::move(change));
   return true;
