@@ -168,6 +168,7 @@ template <LoadedProblem Problem>
 bool Continuation<Problem>::locate_change(double size, ArcState& at, double& place) {
   double low = 0.0, high = size;
   ArcState at_low = here_, at_high = at;
+  double steepness = INFINITY;
   while (high - low > 1e-11 * size) {
     const double middle = 0.5 * (low + high);
     ArcState trial;
@@ -175,8 +176,11 @@ bool Continuation<Problem>::locate_change(double size, ArcState& at, double& pla
     const bool before = problem_->unstable_directions() == unstable_;
     (before ? low : high) = middle;
     (before ? at_low : at_high) = trial;
+    // the load factor standing still there, this is a fold that the step has jumped
+    if (high - low > 5e-4 * size) steepness = std::abs(trial.tangent_load);
     at = std::move(trial);
   }
+  if (steepness < 0.5 * std::abs(here_.tangent_load)) return false;
   std::vector<double> gap = at_high.z;
   add_scaled(gap, -1.0, at_low.z);
   const double apart = std::sqrt(problem_->inner(gap, gap));
