@@ -110,7 +110,7 @@ class System {
   double stored_energy(const std::vector<double>& z) const;
   /// Whether the mechanism can move without resistance, to rounding. Meant for the unloaded state:
   /// under load a flexure alone may be critical while the mechanism is not.
-  bool is_singular() const { return pivot_ratio_ < 1e-13; }
+  bool is_singular() const;
   /// The moving body that the softest direction of the tangent moves most; absent where that
   /// direction moves none, but shifts loads between flexures that cannot stretch.
   std::optional<std::size_t> softest_body() const;
@@ -212,6 +212,7 @@ class System {
   Eigen::Vector3d spring_reaction(std::size_t body, const std::vector<double>& z) const;
   Eigen::Vector3d joint_reaction(std::size_t body, const std::vector<double>& z) const;
   bool factorize();
+  void solve_factored(Eigen::VectorXd& b) const;
   void solve_scaled(Eigen::VectorXd& b) const;
   /// What else an eliminated unknown follows, besides the reduced ones.
   enum class Along { nothing, residual, load };

@@ -226,11 +226,27 @@ bool System::factorize() {
 
 void System::solve_scaled(Eigen::VectorXd& b) const {
   b.array() *= scale_.head(reduced_).array();
+  solve_factored(b);
+  b.array() *= scale_.head(reduced_).array();
+}
+
+void System::solve_factored(Eigen::VectorXd& b) const {
   if (follower_)
     b = lu_balance_.cwiseProduct(lu_.solve(lu_balance_.cwiseProduct(b)));
   else
     factor_.solve(b);
-  b.array() *= scale_.head(reduced_).array();
+}
+
+/// Weak pivots alone do not tell a singular mechanism from one of very slender flexures. Solving
+/// for a known solution does: rounding gives it back where the mechanism is but slender.
+bool System::is_singular() const {
+  if (pivot_ratio_ >= 1e-13) return false;
+  const auto k = tangent_.topLeftCorner(reduced_, reduced_);
+  const Eigen::VectorXd known = Eigen::VectorXd::LinSpaced(reduced_, 1.0, 2.0);
+  Eigen::VectorXd found = follower_ ? Eigen::VectorXd(k * known)
+                                    : Eigen::VectorXd(k.selfadjointView<Eigen::Lower>() * known);
+  solve_factored(found);
+  return !((found - known).norm() < 0.01 * known.norm());
 }
 
 void System::expand(const Eigen::VectorXd& reduced, Along along, std::vector<double>& step) const {

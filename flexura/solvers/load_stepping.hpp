@@ -99,6 +99,7 @@ class LoadStepping {
   int steps_ = 0;
   int iterations_ = 0;
   std::vector<double> slope_;
+  std::vector<double> start_;
   std::vector<double> state_;  // at the load factor asked for
 };
 
@@ -111,6 +112,7 @@ bool LoadStepping<Problem>::start(const std::vector<double>& z) {
   energy_ = energy_at(z, slope_);
   points_.push_back({0.0, z, slope_});
   state_ = z;
+  start_ = z;
   return true;
 }
 
@@ -189,6 +191,8 @@ bool LoadStepping<Problem>::try_step(double to, double meet) {
   std::vector<double> z;
   extrapolate_hermite(points_, to, z);
   problem_->set_load_factor(to);
+  // what moves little is found to as many digits
+  newton_.set_tolerance(options_.tolerance * std::clamp(distance(start_, z), 1e-4, 1.0));
   const NewtonSummary summary = newton_.solve(*problem_, z);
   iterations_ += summary.iterations;
   if (summary.outcome != NewtonOutcome::converged) return false;
@@ -390,6 +394,7 @@ void LoadStepping<Problem>::change_problem(Problem& problem, const Prolong& prol
     point.value = prolong(point.value);
     point.slope = prolong(point.slope);
   }
+  start_ = prolong(start_);
 }
 
 }  // namespace flexura

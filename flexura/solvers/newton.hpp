@@ -42,6 +42,7 @@ class Newton {
  public:
   explicit Newton(NewtonOptions options = {}) : options_(options) {}
 
+  void set_tolerance(double tolerance) { options_.tolerance = tolerance; }
   /// Solves from z, which holds the solution if converged and is unchanged if not.
   template <NewtonProblem Problem>
   NewtonSummary solve(Problem& problem, std::vector<double>& z);
