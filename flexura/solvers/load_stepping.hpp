@@ -74,7 +74,7 @@ class LoadStepping {
   bool step_over(double target);
   bool cross_over(double target);
   bool is_wound_up() const;
-  bool goes_on(const std::vector<double>& z) const;
+  bool goes_on(double to, const std::vector<double>& z) const;
   bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
   bool work_is_smooth(double from, double to, const Energy& now) const;
   double distance(const std::vector<double>& a, const std::vector<double>& b) const;
@@ -209,7 +209,7 @@ bool LoadStepping<Problem>::try_step(double to, double meet) {
   // where nothing moves but by rounding, directions and work mean nothing
   const bool still = moved < 1e-7;
   if (!still &&
-      !(goes_on(z) && work_is_smooth(from, to, energy) && middle_fits(to, z, moved, unstable)))
+      !(goes_on(to, z) && work_is_smooth(from, to, energy) && middle_fits(to, z, moved, unstable)))
     return false;
   if (unstable != unstable_) {
     if (to - from > 0.01 || !locate_change(from, to, z, unstable, meet)) return false;
@@ -220,10 +220,11 @@ bool LoadStepping<Problem>::try_step(double to, double meet) {
 }
 
 /// A step along one path goes where the path heads at its start and at its end, to within 60
-/// degrees. Past a nearly symmetric bifurcation, a step onto the mirrored branch does not, though
-/// its energy may be right.
+/// degrees, and about as far as its slopes there say. Past a nearly symmetric bifurcation, a step
+/// onto the mirrored branch does not, though its energy may be right; a step past a small snap
+/// goes too far.
 template <LoadedProblem Problem>
-bool LoadStepping<Problem>::goes_on(const std::vector<double>& z) const {
+bool LoadStepping<Problem>::goes_on(double to, const std::vector<double>& z) const {
   const CurvePoint& last = points_.back();
   std::vector<double> gone = z;
   add_scaled(gone, -1.0, last.value);
@@ -232,7 +233,11 @@ bool LoadStepping<Problem>::goes_on(const std::vector<double>& z) const {
     const double along = problem_->inner(gone, slope);
     return along > 0.0 && along * along > 0.25 * length * problem_->inner(slope, slope);
   };
-  return heads_there(last.slope) && heads_there(slope_);
+  if (!heads_there(last.slope) || !heads_there(slope_)) return false;
+  const double half = 0.5 * (to - last.parameter);
+  add_scaled(gone, -half, last.slope);
+  add_scaled(gone, -half, slope_);
+  return problem_->inner(gone, gone) < 0.25 * length;
 }
 
 /// Where slopes at both ends of a step differ much, the path may have turned off in between: then
