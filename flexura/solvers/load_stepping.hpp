@@ -11,6 +11,7 @@
 #include "flexura/solvers/continuation.hpp"
 #include "flexura/solvers/hermite_predictor.hpp"
 #include "flexura/solvers/newton.hpp"
+#include "flexura/solvers/step_checks.hpp"
 
 namespace flexura {
 
@@ -64,23 +65,13 @@ class LoadStepping {
   void change_problem(Problem& problem, const Prolong& prolong);
 
  private:
-  struct Energy {
-    double strain = 0.0;
-    double displacement = 0.0;  // work of the loads per load factor
-    double rate = 0.0;          // its derivative by the load factor
-  };
-
   bool try_step(double to, double meet = states_meet);
   bool step_over(double target);
   bool cross_over(double target);
   bool is_wound_up() const;
-  bool goes_on(double to, const std::vector<double>& z) const;
-  bool middle_fits(double to, const std::vector<double>& z, double moved, int unstable);
-  bool work_is_smooth(double from, double to, const Energy& now) const;
-  double distance(const std::vector<double>& a, const std::vector<double>& b) const;
-  void accept(double load_factor, std::vector<double> z, const Energy& energy);
+  bool came_as_predicted(const NewtonSummary& summary, double moved) const;
+  void accept(CurvePoint point, const PathEnergy& energy);
   bool locate_change(double from, double to, const std::vector<double>& z, int after, double meet);
-  Energy energy_at(const std::vector<double>& z, std::vector<double>& slope);
   SteppingSummary follow_arc(double target);
 
   static constexpr int most_tries = 1000;   // for one load factor asked for
@@ -92,13 +83,12 @@ class LoadStepping {
   SteppingOptions options_;
   Newton newton_;
   std::deque<CurvePoint> points_;
-  Energy energy_;
+  PathEnergy energy_;
   int unstable_ = 0;
   double next_step_ = 1.0;
   std::vector<StabilityChange> changes_;
   int steps_ = 0;
   int iterations_ = 0;
-  std::vector<double> slope_;
   std::vector<double> start_;
   std::vector<double> state_;  // at the load factor asked for
 };
@@ -109,23 +99,11 @@ bool LoadStepping<Problem>::start(const std::vector<double>& z) {
   ++iterations_;
   if (!problem_->linearize(z)) return false;
   unstable_ = problem_->unstable_directions();
-  energy_ = energy_at(z, slope_);
-  points_.push_back({0.0, z, slope_});
+  points_.push_back({0.0, z, {}});
+  energy_ = measure_energy(*problem_, z, points_.back().slope);
   state_ = z;
   start_ = z;
   return true;
-}
-
-template <LoadedProblem Problem>
-auto LoadStepping<Problem>::energy_at(const std::vector<double>& z, std::vector<double>& slope)
-    -> Energy {
-  problem_->load_direction(slope);
-  double stored = 0.0;
-  if constexpr (requires { problem_->stored_energy(z); })
-    stored = problem_->stored_energy(z);
-  else
-    stored = problem_->strain_energy();
-  return {stored, problem_->load_displacement(z), problem_->load_rate(slope)};
 }
 
 template <LoadedProblem Problem>
@@ -187,112 +165,53 @@ bool LoadStepping<Problem>::step_over(double target) {
 
 template <LoadedProblem Problem>
 bool LoadStepping<Problem>::try_step(double to, double meet) {
-  const double from = points_.back().parameter;
-  std::vector<double> z;
-  extrapolate_hermite(points_, to, z);
+  const CurvePoint& last = points_.back();
+  const double from = last.parameter;
+  CurvePoint next{to, {}, {}};
+  extrapolate_hermite(points_, to, next.value);
   problem_->set_load_factor(to);
   // what moves little is found to as many digits
-  newton_.set_tolerance(options_.tolerance * std::clamp(distance(start_, z), 1e-4, 1.0));
-  const NewtonSummary summary = newton_.solve(*problem_, z);
+  const double reach = distance(*problem_, start_, next.value);
+  newton_.set_tolerance(options_.tolerance * std::clamp(reach, 1e-4, 1.0));
+  const NewtonSummary summary = newton_.solve(*problem_, next.value);
   iterations_ += summary.iterations;
   if (summary.outcome != NewtonOutcome::converged) return false;
 
-  const double moved = distance(z, points_.back().value);
-  const bool first = points_.size() == 1;
-  if (!first && summary.first_step > 0.02 && summary.first_step > 0.1 * moved) return false;
-  // without an energy to tell branches apart, only short steps are sure to stay on theirs; with
-  // one, long steps that came out as predicted are, too
-  if (moved > 0.5 && problem_->has_follower_loads()) return false;
-  if (moved > 1.0 && summary.first_step > 0.01 * moved) return false;
+  const double moved = distance(*problem_, last.value, next.value);
+  if (!came_as_predicted(summary, moved)) return false;
   const int unstable = problem_->unstable_directions();
-  const Energy energy = energy_at(z, slope_);
+  const PathEnergy energy = measure_energy(*problem_, next.value, next.slope);
   // where nothing moves but by rounding, directions and work mean nothing
-  const bool still = moved < 1e-7;
-  if (!still &&
-      !(goes_on(to, z) && work_is_smooth(from, to, energy) && middle_fits(to, z, moved, unstable)))
+  if (moved >= 1e-7 &&
+      !(goes_on(*problem_, last, next) && work_is_smooth(*problem_, from, energy_, to, energy) &&
+        middle_fits(*problem_, last, next, {unstable_, unstable}, iterations_)))
     return false;
   if (unstable != unstable_) {
-    if (to - from > 0.01 || !locate_change(from, to, z, unstable, meet)) return false;
+    if (to - from > 0.01 || !locate_change(from, to, next.value, unstable, meet)) return false;
     unstable_ = unstable;
   }
-  accept(to, std::move(z), energy);
+  accept(std::move(next), energy);
   return true;
 }
 
-/// A step along one path goes where the path heads at its start and at its end, to within 60
-/// degrees, and about as far as its slopes there say. Past a nearly symmetric bifurcation, a step
-/// onto the mirrored branch does not, though its energy may be right; a step past a small snap
-/// goes too far.
 template <LoadedProblem Problem>
-bool LoadStepping<Problem>::goes_on(double to, const std::vector<double>& z) const {
-  const CurvePoint& last = points_.back();
-  std::vector<double> gone = z;
-  add_scaled(gone, -1.0, last.value);
-  const double length = problem_->inner(gone, gone);
-  const auto heads_there = [&](const std::vector<double>& slope) {
-    const double along = problem_->inner(gone, slope);
-    return along > 0.0 && along * along > 0.25 * length * problem_->inner(slope, slope);
-  };
-  if (!heads_there(last.slope) || !heads_there(slope_)) return false;
-  const double half = 0.5 * (to - last.parameter);
-  add_scaled(gone, -half, last.slope);
-  add_scaled(gone, -half, slope_);
-  return problem_->inner(gone, gone) < 0.25 * length;
-}
-
-/// Where slopes at both ends of a step differ much, the path may have turned off in between: then
-/// the middle of the cubic through both ends must nearly be an equilibrium too.
-template <LoadedProblem Problem>
-bool LoadStepping<Problem>::middle_fits(double to, const std::vector<double>& z, double moved,
-                                        int unstable) {
-  const CurvePoint& last = points_.back();
-  const double h = to - last.parameter;
-  std::vector<double> bend = slope_;
-  add_scaled(bend, -1.0, last.slope);
-  const double change = h * std::sqrt(problem_->inner(bend, bend));
-  if (change < 0.3 * moved) return true;
-  std::vector<double> middle;
-  extrapolate_hermite({last, {to, z, slope_}}, last.parameter + 0.5 * h, middle);
-  problem_->set_load_factor(last.parameter + 0.5 * h);
-  ++iterations_;
-  if (!problem_->linearize(middle)) return false;
-  std::vector<double> correction;
-  const int here = problem_->unstable_directions();
-  return problem_->newton_step(correction) < 0.1 * moved && (here == unstable_ || here == unstable);
-}
-
-/// Along one smooth path of a conservative system, d(strain energy) = load factor d(displacement of
-/// the loads), so the gain is [load factor * displacement] less the integral of the displacement,
-/// here of its cubic Hermite interpolant. A jump to another branch breaks this.
-template <LoadedProblem Problem>
-bool LoadStepping<Problem>::work_is_smooth(double from, double to, const Energy& now) const {
-  if (problem_->has_follower_loads()) return true;
-  const double h = to - from;
-  const double integral = 0.5 * h * (energy_.displacement + now.displacement) +
-                          h * h / 12.0 * (energy_.rate - now.rate);
-  const double work = to * now.displacement - from * energy_.displacement - integral;
-  const double gain = now.strain - energy_.strain;
-  const double size = std::max({std::abs(work), std::abs(gain), 1e-6 * std::abs(now.strain)});
-  return std::abs(work - gain) <= 0.1 * size;
+bool LoadStepping<Problem>::came_as_predicted(const NewtonSummary& summary, double moved) const {
+  const double off = summary.first_step;
+  if (points_.size() > 1 && off > 0.02 && off > 0.1 * moved) return false;
+  // without an energy to tell branches apart, only short steps are sure to stay on theirs; with
+  // one, long steps that came out as predicted are, too
+  if (moved > 0.5 && problem_->has_follower_loads()) return false;
+  return moved <= 1.0 || off <= 0.01 * moved;
 }
 
 template <LoadedProblem Problem>
-double LoadStepping<Problem>::distance(const std::vector<double>& a,
-                                       const std::vector<double>& b) const {
-  std::vector<double> gone = b;
-  add_scaled(gone, -1.0, a);
-  return std::sqrt(problem_->inner(gone, gone));
-}
-
-template <LoadedProblem Problem>
-void LoadStepping<Problem>::accept(double load_factor, std::vector<double> z,
-                                   const Energy& energy) {
+void LoadStepping<Problem>::accept(CurvePoint point, const PathEnergy& energy) {
   ++steps_;
   energy_ = energy;
-  problem_->set_load_factor(load_factor);
-  state_ = z;
+  problem_->set_load_factor(point.parameter);
+  state_ = point.value;
   if (points_.size() == 3) points_.pop_front();
-  points_.push_back({load_factor, std::move(z), slope_});
+  points_.push_back(std::move(point));
 }
 
 /// Bisection on the load factor between two states of different stability. False where the states
@@ -307,7 +226,7 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
   std::vector<double> at_low = points_.back().value;
   std::vector<double> at_high = z;
   int at_change = after;
-  const double moved = distance(at_low, at_high);
+  const double moved = distance(*problem_, at_low, at_high);
   while (high - low > 1e-11) {
     const double middle = 0.5 * (low + high);
     std::vector<double> trial;
@@ -327,7 +246,7 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
   // at the change itself Newton's method may fail: near it the path is still one
   const double bracket = (high - low) / (to - from);
   if (bracket > 0.01 ||
-      distance(at_low, at_high) > std::max(std::max(1e-3, 3.0 * bracket) * moved, meet))
+      distance(*problem_, at_low, at_high) > std::max(std::max(1e-3, 3.0 * bracket) * moved, meet))
     return false;
   // directions lost one after another are found by shorter steps
   if (at_change != after && to - from > 2.0 * options_.smallest_step) return false;
@@ -366,14 +285,14 @@ SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
     const bool arrived = path.state().load_factor >= target;
     if (arrived && !path.land(target)) return lost();
     if (!arrived && k <= 200 && slope_of(path.state()) > 0.5 * steep) continue;
-    const ArcState& here = path.state();
+    CurvePoint here{path.state().load_factor, path.state().z, {}};
     unstable_ = path.unstable_directions();
-    problem_->set_load_factor(here.load_factor);
+    problem_->set_load_factor(here.parameter);
     iterations_ += path.iterations() + 1;
-    if (!problem_->linearize(here.z)) return {SteppingOutcome::lost, start, {}};
-    const Energy energy = energy_at(here.z, slope_);
-    accept(here.load_factor, here.z, energy);
-    return {SteppingOutcome::reached, here.load_factor, {}};
+    if (!problem_->linearize(here.value)) return {SteppingOutcome::lost, start, {}};
+    const PathEnergy energy = measure_energy(*problem_, here.value, here.slope);
+    accept(std::move(here), energy);
+    return {SteppingOutcome::reached, points_.back().parameter, {}};
   }
   return lost();
 }
@@ -386,7 +305,7 @@ bool LoadStepping<Problem>::correct() {
   iterations_ += summary.iterations;
   if (summary.outcome != NewtonOutcome::converged) return false;
   unstable_ = problem_->unstable_directions();
-  energy_ = energy_at(last.value, last.slope);
+  energy_ = measure_energy(*problem_, last.value, last.slope);
   state_ = last.value;
   return true;
 }
