@@ -1,7 +1,7 @@
 // Random mechanisms by the thousand: each is solved by modeling `exact` as `flexura run` would, and
 // what is said of its end is looked into. Exit status 0 where enough of that is right.
 //   build/release/robustness/flexura_robustness [--count N] [--seed FIRST]
-//   build/release/robustness/flexura_robustness --one SEED [--write MODEL.toml]
+//   build/release/robustness/flexura_robustness --one SEED.. [--write MODEL.toml]
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -76,12 +76,16 @@ void print(const Tally& tally, std::size_t count) {
     fmt::print("not correct: {}: {}\n", category, number);
 }
 
-int run_one(std::uint64_t seed, const std::string& file) {
-  const RandomMechanism mechanism = make_random_mechanism(seed);
-  if (!file.empty()) std::ofstream(file) << write_model(mechanism);
-  const Verdict verdict = judge(mechanism, {true});
-  fmt::print("{}\n{:.1f} ms\n", describe(mechanism, verdict), 1e3 * verdict.seconds);
-  return verdict.correct ? 0 : 1;
+int run_single(const std::vector<std::uint64_t>& seeds, const std::string& file) {
+  bool correct = true;
+  for (const std::uint64_t seed : seeds) {
+    const RandomMechanism mechanism = make_random_mechanism(seed);
+    if (!file.empty()) std::ofstream(file) << write_model(mechanism);
+    const Verdict verdict = judge(mechanism, {true});
+    fmt::print("{}\n{:.1f} ms\n", describe(mechanism, verdict), 1e3 * verdict.seconds);
+    correct = correct && verdict.correct;
+  }
+  return correct ? 0 : 1;
 }
 
 int run_many(std::uint64_t first, std::size_t count) {
@@ -117,12 +121,12 @@ int main(int argc, char** argv) {
   CLI::App app("Solves random mechanisms and looks into how they end.", "flexura_robustness");
   std::size_t count = 10000;
   std::uint64_t first = 1;
-  std::uint64_t one = 0;
+  std::vector<std::uint64_t> single;
   std::string file;
   app.add_option("--count", count, "so many mechanisms (default 10000)");
   app.add_option("--seed", first, "the first one's seed (default 1); the others follow");
-  const auto* single = app.add_option("--one", one, "the mechanism of this seed only");
-  app.add_option("--write", file, "write that mechanism as a model file");
+  app.add_option("--one", single, "the mechanism of this seed only, or of several, each compared");
+  app.add_option("--write", file, "write that mechanism (the last one) as a model file");
   CLI11_PARSE(app, argc, argv);
-  return single->count() > 0 ? run_one(one, file) : run_many(first, count);
+  return single.empty() ? run_many(first, count) : run_single(single, file);
 }

@@ -237,16 +237,17 @@ void System::solve_factored(Eigen::VectorXd& b) const {
     factor_.solve(b);
 }
 
-/// Weak pivots alone do not tell a singular mechanism from one of very slender flexures. Solving
-/// for a known solution does: rounding gives it back where the mechanism is but slender.
+/// Singular mechanisms have pivots of nothing but rounding, below 1e-15 of the largest. Those of
+/// very slender flexures have weak ones, too, yet solving for a known solution gives it back.
 bool System::is_singular() const {
   if (pivot_ratio_ >= 1e-13) return false;
+  if (!(pivot_ratio_ >= 1e-15)) return true;
   const auto k = tangent_.topLeftCorner(reduced_, reduced_);
   const Eigen::VectorXd known = Eigen::VectorXd::LinSpaced(reduced_, 1.0, 2.0);
   Eigen::VectorXd found = follower_ ? Eigen::VectorXd(k * known)
                                     : Eigen::VectorXd(k.selfadjointView<Eigen::Lower>() * known);
   solve_factored(found);
-  return !((found - known).norm() < 0.01 * known.norm());
+  return !((found - known).norm() < 1e-3 * known.norm());
 }
 
 void System::expand(const Eigen::VectorXd& reduced, Along along, std::vector<double>& step) const {

@@ -27,17 +27,21 @@ using Stepping = LoadStepping<System>;
 class PathTracer {
  public:
   PathTracer(const Model& model, const std::vector<Load>& loads, const ModelingSettings& settings,
-             const TraceOptions& options)
+             const TraceOptions& options, int refinements)
       : model_(model),
         loads_(loads),
         settings_(settings),
         options_(options),
         points_(tracked_points(model)) {
     path_.systems.push_back(std::make_unique<System>(make_prescribed_layout()));
+    for (; refinements > 0; --refinements)
+      if (auto finer = system().refined()) path_.systems.back() = std::move(finer);
     if (options_.estimate_errors) estimate_ = std::make_unique<ErrorEstimate>(system());
   }
 
   TracedPath run();
+  /// Whether the path ended where the finer system that its state asked for has no such state.
+  bool needs_finer_start() const { return refinement_failed_; }
 
  private:
   SystemLayout make_prescribed_layout() const {
@@ -55,7 +59,7 @@ class PathTracer {
   bool refine(Stepping& stepping);
   bool settle_load_ratios(Stepping& stepping);
   void record(const Stepping& stepping, double load_factor, std::vector<double> errors);
-  std::vector<double> measure_errors(const std::vector<double>& z) const;
+  std::vector<double> measure_errors(const std::vector<double>& z);
   double measure_reaction_error(const std::vector<double>& z);
   bool is_accurate(const std::vector<double>& errors, const std::vector<double>& z);
   void note_changes(const Stepping& stepping);
@@ -73,10 +77,12 @@ class PathTracer {
   std::vector<double> errors_;
   double largest_displacement_ = 0.0;
   double reaction_error_ = 0.0;
+  double rotation_error_ = 0.0;
   double largest_force_ = 0.0;
   double largest_moment_ = 0.0;
   std::size_t changes_noted_ = 0;
   int refinements_left_ = 6;
+  bool refinement_failed_ = false;
   TracedPath path_;
 };
 
@@ -146,7 +152,10 @@ bool PathTracer::settle(Stepping& stepping) {
       if (is_accurate(errors_, z)) return true;
     }
     if (!may_refine()) return true;
-    if (!refine(stepping)) return false;
+    if (!refine(stepping)) {
+      refinement_failed_ = true;
+      return false;
+    }
   }
   return true;
 }
@@ -204,10 +213,16 @@ bool PathTracer::settle_load_ratios(Stepping& stepping) {
   return false;
 }
 
-std::vector<double> PathTracer::measure_errors(const std::vector<double>& z) const {
+std::vector<double> PathTracer::measure_errors(const std::vector<double>& z) {
   const System& coarse = *path_.systems.back();
   std::vector<double> errors;
   const double ratio = error_ratio(coarse);
+  rotation_error_ = 0.0;
+  for (std::size_t b = 0; b < model_.bodies.size(); ++b)
+    rotation_error_ =
+        std::max(rotation_error_,
+                 ratio * std::abs(estimate_->finer().pose(b, estimate_->finer_state()).rotation -
+                                  coarse.pose(b, z).rotation));
   for (const TrackedPoint& point : points_)
     errors.push_back(ratio * norm(estimate_->finer().moved_point(point.body, point.drawn,
                                                                  estimate_->finer_state()) -
@@ -244,8 +259,14 @@ bool PathTracer::is_accurate(const std::vector<double>& errors, const std::vecto
     largest_displacement_ =
         std::max(largest_displacement_,
                  norm(system().moved_point(point.body, point.drawn, z) - point.drawn));
-  const double largest = *std::max_element(errors.begin(), errors.end());
-  const double rounding = 1e-11 * system().mean_length();
+  // a body that turns about its point is off where it is far from it
+  const double length = system().mean_length();
+  const double largest =
+      std::max(*std::max_element(errors.begin(), errors.end()), length * rotation_error_);
+  for (std::size_t b = 0; b < model_.bodies.size(); ++b)
+    largest_displacement_ =
+        std::max(largest_displacement_, length * std::abs(system().pose(b, z).rotation));
+  const double rounding = 1e-11 * length;
   return largest <= std::max(0.3 * settings_.tolerance * largest_displacement_, rounding) &&
          reaction_error_ <= std::max(0.3 * settings_.tolerance, 1e-10);
 }
@@ -289,7 +310,8 @@ void PathTracer::stop(const SteppingSummary& summary) {
   if (summary.outcome == SteppingOutcome::wound_up) {
     path_.termination.reason = fmt::format(
         "at load factor {:.6g} the ends of a flexure have turned against each other by more than "
-        "three turns: it winds up like a spring, under loads far beyond what bends it. Smaller loads "
+        "three turns: it winds up like a spring, under loads far beyond what bends it. Smaller "
+        "loads "
         "will do; are their units right?",
         summary.load_factor);
     return;
@@ -340,7 +362,13 @@ std::vector<TrackedPoint> tracked_points(const Model& model) {
 
 TracedPath trace_path(const Model& model, const std::vector<Load>& loads,
                       const ModelingSettings& settings, const TraceOptions& options) {
-  return PathTracer(model, loads, settings, options).run();
+  constexpr int most_restarts = 2;
+  for (int refinements = 0;; ++refinements) {
+    PathTracer tracer(model, loads, settings, options, refinements);
+    TracedPath path = tracer.run();
+    // a load step by too few modes may lead astray: from the start by more, then
+    if (!tracer.needs_finer_start() || refinements == most_restarts) return path;
+  }
 }
 
 }  // namespace flexura
