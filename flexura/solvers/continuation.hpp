@@ -96,7 +96,9 @@ bool Continuation<Problem>::start(double load_factor, const std::vector<double>&
   ++iterations_;
   if (!problem_->linearize(z)) return false;
   problem_->load_direction(here_.tangent_z);
-  load_scale_ = std::clamp(std::sqrt(problem_->inner(here_.tangent_z, here_.tangent_z)), 1e-9, 1.0);
+  const double slope = std::sqrt(problem_->inner(here_.tangent_z, here_.tangent_z));
+  // what does not move at all, but for rounding, has no scale
+  load_scale_ = slope < 1e-11 ? 1.0 : std::clamp(slope, 1e-7, 1.0);
   arc_.set_load_scale(load_scale_);
   unstable_ = problem_->unstable_directions();
   if (!arc_.set_tangent(here_, nullptr)) return false;

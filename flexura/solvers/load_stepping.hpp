@@ -201,7 +201,7 @@ bool LoadStepping<Problem>::came_as_predicted(const NewtonSummary& summary, doub
   // without an energy to tell branches apart, only short steps are sure to stay on theirs; with
   // one, long steps that came out as predicted are, too
   if (moved > 0.5 && problem_->has_follower_loads()) return false;
-  return moved <= 1.0 || off <= 0.01 * moved;
+  return moved <= 1.0 || points_.size() == 1 || off <= 0.01 * moved;
 }
 
 template <LoadedProblem Problem>
