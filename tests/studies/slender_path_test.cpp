@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/tracing.hpp"
 
@@ -73,6 +74,64 @@ TEST(SlenderPath, LimitLoadsAreAsGoodAsTheTolerance) {
   arch.flexure("ground", "top", LineAxis{{10.0, 0.0}, {0.3, 2.0}});
   const double reference = limit_load(arch, exact(30), 10.0);
   EXPECT_NEAR(limit_load(arch, exact({}), 500.0) / reference, 1.0, 1e-8);
+}
+
+/// A stage on two leaves that a strut, pinned at both ends and bowed by `rise`, holds back until it
+/// buckles by itself at P = pi^2 EI/L^2. No body moves then but by what the strut gives way.
+Mechanism propped_stage(double rise) {
+  Mechanism m;
+  m.material(200e3, 0.3).fixed("ground").body("stage").point("P", {0.0, 50.0});
+  m.section(RectangleSection{0.1, 10.0});
+  m.flexure("ground", "stage", LineAxis{{0.0, 0.0}, {0.0, 50.0}});
+  m.flexure("ground", "stage", LineAxis{{20.0, 0.0}, {20.0, 50.0}});
+  m.section(RectangleSection{0.02, 1.0});
+  const double length = 100.0, radius = length * length / (8.0 * rise);
+  const double half = std::asin(0.5 * length / radius);
+  m.flexure("stage", "ground",
+            ArcAxis{{20.0 + 0.5 * length, 50.0 - radius * std::cos(half)},
+                    radius,
+                    0.5 * std::numbers::pi + half,
+                    -2.0 * half});
+  m.pin_base().pin_action();
+  return m;
+}
+
+/// Past a narrow gap the straight strut, unstable, goes on as if nothing had happened; the bowed
+/// one gives way, and the leaves carry what is beyond P: F = P + k x, k = 2 * 12 EI/h^3.
+TEST(SlenderPath, AStrutThatBucklesByItselfTurnsThePathOff) {
+  const double strut =
+      std::numbers::pi * std::numbers::pi * 200e3 * 0.02 * 0.02 * 0.02 / 12.0 / 1e4;
+  const double leaves = 24.0 * 200e3 * 10.0 * 1e-3 / 12.0 / (50.0 * 50.0 * 50.0);
+  for (const double rise : {1e-3, 1e-5}) {
+    const Mechanism m = propped_stage(rise);
+    for (const int steps : {4, 60}) {
+      const TracedPath path =
+          testing::trace(m.model(), {m.load("stage.P", {2.0 * strut, 0.0})}, exact({}), steps);
+      ASSERT_TRUE(path.termination.converged()) << path.termination.reason;
+      EXPECT_EQ(path.states.back().unstable_directions, 0) << rise << ' ' << steps;
+      const System& system = *path.systems[path.states.back().system];
+      const double moved = system.moved_point(1, {0.0, 50.0}, path.states.back().z).x;
+      EXPECT_NEAR(moved * leaves / strut, 1.0, 0.01) << rise << ' ' << steps;
+    }
+  }
+}
+
+/// A moment in the wrong unit, a thousand times too large: 700 rad of a strip.
+TEST(SlenderPath, AFlexureThatWindsUpSaysSo) {
+  Mechanism m;
+  m.material(210e3, 0.3).section(RectangleSection{0.1, 10.0});
+  m.fixed("ground").body("arm").point("end", {160.0, 40.0});
+  m.flexure("ground", "arm", LineAxis{{0.0, 0.0}, {100.0, 0.0}});
+  const Load push = m.follower("arm.end", {0.0, 0.5});
+  Load twist = m.load("arm.end", {0.0, 0.0});
+  twist.moment = 70e3;
+  const TracedPath path = testing::trace(m.model(), {push, twist}, exact({}), 20);
+  EXPECT_EQ(path.termination.status, Status::stopped);
+  EXPECT_NE(path.termination.reason.find("winds up"), std::string::npos) << path.termination.reason;
+  ASSERT_FALSE(path.states.empty());
+  const TracedState& last = path.states.back();
+  EXPECT_GT(path.systems[last.system]->largest_turn(last.z), 6.0 * std::numbers::pi);
+  EXPECT_LT(last.load_factor, 1.0);
 }
 
 }  // namespace
