@@ -9,15 +9,13 @@
 #include "apps/flexura/terminal.hpp"
 #include "apps/flexura/watched_run.hpp"
 #include "flexura/io/write_files.hpp"
+#include "flexura/model/study_kind.hpp"
 #include "flexura/pictures/picture.hpp"
 
 namespace flexura::app {
 namespace {
 
-bool has_shape(const Study& study) {
-  return !std::holds_alternative<LinearStudy>(study.kind) &&
-         !std::holds_alternative<ResponseStudy>(study.kind);
-}
+bool has_shape(const Study& study) { return can_be_drawn(study_kind(study)); }
 
 /// The study to draw, or nothing and a message.
 const Study* choose_study(const Model& model, const std::string& asked) {
@@ -35,9 +33,8 @@ const Study* choose_study(const Model& model, const std::string& asked) {
     return nullptr;
   }
   if (!has_shape(*found)) {
-    print_error(
-        fmt::format("study '{}' is of kind {}, which has no shape to draw", found->name,
-                    std::holds_alternative<LinearStudy>(found->kind) ? "linear" : "response"));
+    print_error(fmt::format("study '{}' is of kind {}, which has no shape to draw", found->name,
+                            study_kind(*found)));
     return nullptr;
   }
   return &*found;

@@ -205,6 +205,7 @@ LinkageMotion Linkage::solve_and_record(Method method) {
   motion.unknowns = static_cast<int>(turn_.system().size());
   motion.iterations = solution.iterations;
   motion.counted = solution.counted;
+  if (motion.counted == "turns" && motion.iterations == 1) motion.counted = "turn";
   motion.remark = solution.remark;
   if (study_.turn_from_rest && (method == Method::midha || method == Method::transient))
     motion.remark += fmt::format("{}turn {} from rest, not the settled one",

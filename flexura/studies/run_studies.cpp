@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "flexura/model/study_kind.hpp"
 #include "flexura/studies/buckling_study.hpp"
 #include "flexura/studies/drawing.hpp"
 #include "flexura/studies/inverse_study.hpp"
@@ -79,6 +80,7 @@ class Run {
   void add(const Study& study) {
     StudyResult result;
     result.name = study.name;
+    result.kind = study_kind(study);
     std::visit([&](const auto& kind) { prepare(kind, result); }, study.kind);
     results_.push_back(std::make_unique<StudyResult>(std::move(result)));
     std::visit([&](const auto& kind) { add_tasks(kind, *results_.back()); }, study.kind);
@@ -94,11 +96,9 @@ class Run {
     return place.point ? body.name + "." + body.points[*place.point].name : body.name;
   }
   void prepare(const LinearStudy& study, StudyResult& result) {
-    result.kind = "linear";
     result.loads = make_drawn_loads(model_, study.loads);
   }
   void prepare(const PathStudy& study, StudyResult& result) {
-    result.kind = "path";
     result.loads = make_drawn_loads(model_, study.loads);
     result.fields = make_drawn_fields(study.fields);
     PathResult path = make_path_names(model_);
@@ -110,12 +110,10 @@ class Run {
     result.content = std::move(path);
   }
   void prepare(const BucklingStudy& study, StudyResult& result) {
-    result.kind = "buckling";
     result.loads = make_drawn_loads(model_, study.loads);
     result.content = mode_names();
   }
   void prepare(const InverseStudy&, StudyResult& result) {
-    result.kind = "inverse";
     PathResult path = make_path_names(model_);
     for (std::size_t b = 0; b < path.bodies.size(); ++b)
       path.held.push_back({path.bodies[b], b, {}});
@@ -130,12 +128,8 @@ class Run {
     modes.flexures = std::move(names.flexures);
     return modes;
   }
-  void prepare(const ModesStudy&, StudyResult& result) {
-    result.kind = "modes";
-    result.content = mode_names();
-  }
+  void prepare(const ModesStudy&, StudyResult& result) { result.content = mode_names(); }
   void prepare(const TransientStudy& study, StudyResult& result) {
-    result.kind = "transient";
     result.loads = make_drawn_loads(model_, study.loads);
     for (std::size_t i = 0; i < study.loads.size(); ++i)
       result.loads[i].history = describe_history(study.loads[i].history);
@@ -152,7 +146,6 @@ class Run {
     result.content = std::move(motion);
   }
   void prepare(const ResponseStudy& study, StudyResult& result) {
-    result.kind = "response";
     result.loads = make_drawn_loads(model_, study.loads);
     ResponseResult response;
     response.places = response_places(model_);
@@ -160,7 +153,6 @@ class Run {
     result.content = std::move(response);
   }
   void prepare(const LinkageStudy& study, StudyResult& result) {
-    result.kind = "linkage";
     result.loads = make_drawn_loads(model_, study.loads);
     for (std::size_t i = 0; i < study.loads.size(); ++i)
       result.loads[i].history = describe_history(study.loads[i].history);
