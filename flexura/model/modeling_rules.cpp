@@ -156,8 +156,10 @@ struct ModelingRules {
     mistakes.require_between(path / "elements", bcm.elements, 1, 200);
     const std::string curved = flexures_unlike(model, Shape::straight);
     if (curved.empty()) return;
-    mistakes.add(path,
-                 fmt::format("modeling bcm is for straight flexures of constant section; this model has {}", curved));
+    mistakes.add(
+        path,
+        fmt::format("modeling bcm is for straight flexures of constant section; this model has {}",
+                    curved));
   }
   void operator()(const ContinuumSettings& continuum) const {
     const auto between = [&](const char* key, const std::optional<int>& value, int least,
