@@ -247,7 +247,7 @@ bool System::is_singular() const {
   Eigen::VectorXd found = follower_ ? Eigen::VectorXd(k * known)
                                     : Eigen::VectorXd(k.selfadjointView<Eigen::Lower>() * known);
   solve_factored(found);
-  return !((found - known).norm() < 1e-3 * known.norm());
+  return !((found - known).norm() < 0.1 * known.norm());
 }
 
 void System::expand(const Eigen::VectorXd& reduced, Along along, std::vector<double>& step) const {
