@@ -137,8 +137,10 @@ SteppingSummary LoadStepping<Problem>::advance(double target) {
 template <LoadedProblem Problem>
 bool LoadStepping<Problem>::cross_over(double target) {
   constexpr double scatter = 1e-4;
+  constexpr int doublings = 5;
   const double from = points_.back().parameter;
-  for (double step = options_.smallest_step; step < 32.0 * options_.smallest_step; step *= 2.0)
+  double step = options_.smallest_step;
+  for (int k = 0; k < doublings; ++k, step *= 2.0)
     if (try_step(std::min(from + step, target), scatter)) return true;
   return false;
 }
