@@ -71,10 +71,14 @@ class Continuation {
 
  private:
   bool falls_back(const ArcState& next) const;
-  bool locate_features(const ArcState& next, double size, int after);
-  bool locate_change(double size, ArcState& at, double& place);
+  bool try_sizes(double meet);
+  bool locate_features(const ArcState& next, double size, int after, double meet);
+  bool locate_change(double size, double meet, ArcState& at, double& place);
+  void narrow(const ArcState& low, const ArcState& high, ArcState& at);
   bool changes_at_once(double place, double size, int after);
   bool locate_zero(double size, ArcState& at);
+
+  static constexpr double meet_by_size = 0.0;
 
   Problem* problem_;
   ContinuationOptions options_;
@@ -109,7 +113,16 @@ bool Continuation<Problem>::start(double load_factor, const std::vector<double>&
 
 template <LoadedProblem Problem>
 bool Continuation<Problem>::advance() {
-  features_.clear();
+  const double size = size_;
+  if (try_sizes(meet_by_size)) return true;
+  // Beside a bifurcation that is perfect to rounding, states scatter.
+  constexpr double scatter = 1e-4;
+  size_ = size;
+  return try_sizes(scatter);
+}
+
+template <LoadedProblem Problem>
+bool Continuation<Problem>::try_sizes(double meet) {
   while (size_ >= options_.smallest_step * load_scale_) {
     ArcState next;
     features_.clear();
@@ -118,7 +131,7 @@ bool Continuation<Problem>::advance() {
       continue;
     }
     const int after = problem_->unstable_directions();
-    if (!locate_features(next, size_, after)) {
+    if (!locate_features(next, size_, after, meet)) {
       size_ *= 0.5;
       continue;
     }
@@ -144,14 +157,16 @@ bool Continuation<Problem>::falls_back(const ArcState& next) const {
 /// False where a limit point cannot be located, or the states on both sides of a change of
 /// stability do not meet: then the step has left the path for another one that passes close by.
 template <LoadedProblem Problem>
-bool Continuation<Problem>::locate_features(const ArcState& next, double size, int after) {
+bool Continuation<Problem>::locate_features(const ArcState& next, double size, int after,
+                                            double meet) {
   ArcState at = next;
   if (here_.tangent_load * next.tangent_load < 0.0) {
     if (!arc_.locate(here_, size, at)) return false;
     features_.push_back({PathFeature::limit_point, at, unstable_, after});
   } else if (after != unstable_) {
     double place = 0.0;
-    if (!locate_change(size, at, place) || !changes_at_once(place, size, after)) return false;
+    if (!locate_change(size, meet, at, place)) return false;
+    if (meet == meet_by_size && !changes_at_once(place, size, after)) return false;
     features_.push_back({PathFeature::bifurcation, at, unstable_, after});
   }
   if (here_.load_factor * next.load_factor < 0.0) {
@@ -167,7 +182,7 @@ bool Continuation<Problem>::locate_features(const ArcState& next, double size, i
 /// Bisection on the arc length for the end of the stretch with as many unstable directions as at
 /// its start. At the change itself the equations are singular: failing there is as near as it gets.
 template <LoadedProblem Problem>
-bool Continuation<Problem>::locate_change(double size, ArcState& at, double& place) {
+bool Continuation<Problem>::locate_change(double size, double meet, ArcState& at, double& place) {
   double low = 0.0, high = size;
   ArcState at_low = here_, at_high = at;
   double steepness = INFINITY;
@@ -187,7 +202,30 @@ bool Continuation<Problem>::locate_change(double size, ArcState& at, double& pla
   add_scaled(gap, -1.0, at_low.z);
   const double apart = std::sqrt(problem_->inner(gap, gap));
   place = high;
-  return high - low < 1e-4 * size && apart < 1e-3 * size;
+  if (meet == meet_by_size ? high - low > 1e-4 * size || apart > 1e-3 * size
+                           : high - low > 1e-2 * size || apart > meet)
+    return false;
+  if (high - low > 1e-11 * size) narrow(at_low, at_high, at);
+  return true;
+}
+
+/// Where no step converges any more, the states between two that nearly meet do as well: how many
+/// directions are unstable there narrows the change down.
+template <LoadedProblem Problem>
+void Continuation<Problem>::narrow(const ArcState& low, const ArcState& high, ArcState& at) {
+  double from = 0.0, to = 1.0;
+  for (int k = 0; k < 40; ++k) {
+    const double share = 0.5 * (from + to);
+    ArcState between = low;
+    for (double& z : between.z) z *= 1.0 - share;
+    add_scaled(between.z, share, high.z);
+    between.load_factor += share * (high.load_factor - low.load_factor);
+    problem_->set_load_factor(between.load_factor);
+    ++iterations_;
+    if (!problem_->linearize(between.z)) break;
+    (problem_->unstable_directions() == unstable_ ? from : to) = share;
+    at = std::move(between);
+  }
 }
 
 /// Whether all directions that a step gains or loses do so at the place located; else a shorter
