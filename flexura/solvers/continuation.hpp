@@ -113,11 +113,10 @@ bool Continuation<Problem>::start(double load_factor, const std::vector<double>&
 
 template <LoadedProblem Problem>
 bool Continuation<Problem>::advance() {
-  const double size = size_;
   if (try_sizes(meet_by_size)) return true;
-  // Beside a bifurcation that is perfect to rounding, states scatter.
+  // Beside a bifurcation that is perfect to rounding, states scatter: on from a little farther off.
   constexpr double scatter = 1e-4;
-  size_ = size;
+  size_ = 1e-2 * options_.largest_step * load_scale_;
   return try_sizes(scatter);
 }
 
