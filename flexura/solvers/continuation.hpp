@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,15 @@ class Continuation {
 
   static constexpr double meet_by_size = 0.0;
 
+  /// The first step that was refused, as what it passed could not be located, and how much of it
+  /// shorter ones have still to do.
+  struct Refused {
+    ArcState from;
+    double size = 0.0;
+    double left = 0.0;
+  };
+  std::optional<Refused> refused_;
+
   Problem* problem_;
   ContinuationOptions options_;
   ArcLength<Problem> arc_;
@@ -114,9 +124,12 @@ bool Continuation<Problem>::start(double load_factor, const std::vector<double>&
 template <LoadedProblem Problem>
 bool Continuation<Problem>::advance() {
   if (try_sizes(meet_by_size)) return true;
-  // Beside a bifurcation that is perfect to rounding, states scatter: on from a little farther off.
+  if (!refused_) return false;
+  // Beside a bifurcation that is perfect to rounding, states scatter: across it from farther off.
   constexpr double scatter = 1e-4;
-  size_ = 1e-2 * options_.largest_step * load_scale_;
+  here_ = std::move(refused_->from);
+  size_ = refused_->size;
+  refused_.reset();
   return try_sizes(scatter);
 }
 
@@ -131,9 +144,11 @@ bool Continuation<Problem>::try_sizes(double meet) {
     }
     const int after = problem_->unstable_directions();
     if (!locate_features(next, size_, after, meet)) {
+      if (!refused_) refused_ = Refused{here_, size_, size_};
       size_ *= 0.5;
       continue;
     }
+    if (refused_ && (refused_->left -= size_) < 0.0) refused_.reset();
     const bool straight = arc_.heads_along(here_, next, 0.9986);
     before_ = std::move(here_);
     here_ = std::move(next);
