@@ -34,6 +34,7 @@ struct ContinuationOptions {
   double smallest_step = 1e-7;   ///< likewise, of stiff mechanisms as much less as they move less
   double straight_step = 0.0;    ///< largest where the path turns by less than 3 degrees, if more
   double first_rise = INFINITY;  ///< of the load factor, in the first step
+  bool crosses = true;           ///< bifurcations that are perfect to rounding, where no step meets
 };
 
 /// Follows a path of equilibria by pseudo-arc-length steps, through limit points and past
@@ -124,7 +125,7 @@ bool Continuation<Problem>::start(double load_factor, const std::vector<double>&
 template <LoadedProblem Problem>
 bool Continuation<Problem>::advance() {
   if (try_sizes(meet_by_size)) return true;
-  if (!refused_) return false;
+  if (!options_.crosses || !refused_) return false;
   // Beside a bifurcation that is perfect to rounding, states scatter: across it from farther off.
   constexpr double scatter = 1e-4;
   here_ = std::move(refused_->from);

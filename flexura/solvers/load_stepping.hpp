@@ -263,7 +263,7 @@ template <LoadedProblem Problem>
 SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
   const double start = points_.back().parameter;
   Continuation<Problem> path(*problem_,
-                             {options_.tolerance, 0.05, 1e-9, 0.5, options_.smallest_step});
+                             {options_.tolerance, 0.05, 1e-9, 0.5, options_.smallest_step, false});
   const auto lost = [&]() -> SteppingSummary {
     iterations_ += path.iterations();
     return {SteppingOutcome::lost, start, {}};
