@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -149,7 +148,8 @@ bool Continuation<Problem>::try_sizes(double meet) {
       size_ *= 0.5;
       continue;
     }
-    if (refused_ && (refused_->left -= size_) < 0.0) refused_.reset();
+    // what was found is behind, and so is a step that shorter ones have done
+    if (refused_ && ((refused_->left -= size_) < 0.0 || !features_.empty())) refused_.reset();
     const bool straight = arc_.heads_along(here_, next, 0.9986);
     before_ = std::move(here_);
     here_ = std::move(next);
@@ -311,6 +311,7 @@ bool Continuation<Problem>::switch_branch(const ArcState& bifurcation,
     ArcState next;
     if (!arc_.step(from, size, next)) continue;
     features_.clear();
+    refused_.reset();
     unstable_ = problem_->unstable_directions();
     before_ = from;
     here_ = std::move(next);
@@ -324,6 +325,7 @@ template <LoadedProblem Problem>
 void Continuation<Problem>::change_problem(Problem& problem, const ArcState& here) {
   iterations_ += arc_.iterations();
   problem_ = &problem;
+  refused_.reset();  // a state of the problem before
   arc_ = ArcLength<Problem>(problem, options_.tolerance);
   arc_.set_load_scale(load_scale_);
   here_ = here;
