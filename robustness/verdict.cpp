@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "flexura/model/validation.hpp"
 #include "flexura/solvers/continuation.hpp"
+#include "flexura/solvers/load_stepping.hpp"
 #include "flexura/studies/path_tracer.hpp"
 #include "flexura/studies/run_studies.hpp"
 #include "robustness/comparison.hpp"
@@ -94,10 +94,11 @@ void judge_limit_point(const TracedPath& path, const TracedEvent& event, double 
        fmt::format("claimed at {:.10g}: {}", event.load_factor, found));
 }
 
+/// The path says that flexures wind up, and they do.
 bool is_wound_up(const TracedPath& path) {
-  if (path.states.empty()) return false;
+  if (path.termination.reason.find("winds up") == std::string::npos) return false;
   const TracedState& last = path.states.back();
-  return path.systems[last.system]->largest_turn(last.z) > 6.0 * std::numbers::pi;
+  return path.systems[last.system]->largest_turn(last.z) > wound_up_turn;
 }
 
 const TracedEvent* limit_point_of(const TracedPath& path) {

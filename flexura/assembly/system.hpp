@@ -94,10 +94,10 @@ class System {
   /// Scalar product of changes of z: displacements in mean flexure lengths, rotations in radians,
   /// and the mean over each flexure's internal unknowns, as a flexure may give way by itself.
   double inner(const std::vector<double>& a, const std::vector<double>& b) const;
-  /// Largest rotation of a flexure's end sections against each other, beyond their rest.
-  double largest_turn(const std::vector<double>& z) const;
   /// Largest change of a displacement or rotation of a body between two states, likewise.
   double distance(const std::vector<double>& a, const std::vector<double>& b) const;
+  /// Largest rotation of a flexure's end sections against each other, beyond their rest.
+  double largest_turn(const std::vector<double>& z) const;
 
   // Of the last linearization:
   /// Negative eigenvalues of the tangent on displacements that keep the flexures closed and what is

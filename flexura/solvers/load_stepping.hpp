@@ -36,6 +36,10 @@ struct SteppingOptions {
   double smallest_step = 1e-4;  ///< of the load factor, before the path is followed by arc length
 };
 
+/// Turns of a flexure's end sections against each other from which on a path that does not get on
+/// is taken to wind up.
+inline constexpr double wound_up_turn = 6.0 * std::numbers::pi;
+
 /// Follows the equilibria z(load factor) from the unloaded state: predicts from the last states,
 /// corrects by Newton, and accepts a step only if the new state is where the path leads: the
 /// prediction was near, the step heads where the path does, the stability is the same (or its
@@ -77,7 +81,6 @@ class LoadStepping {
   static constexpr int most_tries = 1000;   // for one load factor asked for
   static constexpr int tries_unwound = 50;  // likewise, before it is asked whether it winds up
   static constexpr double states_meet = 1e-7;
-  static constexpr double most_turn = 6.0 * std::numbers::pi;
 
   Problem* problem_;
   SteppingOptions options_;
@@ -149,7 +152,7 @@ bool LoadStepping<Problem>::cross_over(double target) {
 template <LoadedProblem Problem>
 bool LoadStepping<Problem>::is_wound_up() const {
   if constexpr (requires { problem_->largest_turn(state_); })
-    return problem_->largest_turn(state_) > most_turn;
+    return problem_->largest_turn(state_) > wound_up_turn;
   return false;
 }
 
@@ -273,25 +276,31 @@ SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
     return std::sqrt(problem_->inner(state.tangent_z, state.tangent_z)) / state.tangent_load;
   };
   const double steep = slope_of(path.state());
+  std::vector<StabilityChange> passed;  // of no account where the arc is lost
+  const auto keep = [&] {
+    changes_.insert(changes_.end(), passed.begin(), passed.end());
+    iterations_ += path.iterations();
+  };
   for (int k = 0; k < 400; ++k) {
     if (!path.advance()) return lost();
     for (const LocatedFeature& found : path.features()) {
       if (found.feature == PathFeature::limit_point) {
         if (found.state.load_factor <= start) return lost();
-        iterations_ += path.iterations();
+        keep();
         return {SteppingOutcome::limit_point, found.state.load_factor, found.state.z};
       }
-      changes_.push_back(
+      passed.push_back(
           {found.state.load_factor, found.unstable_before, found.unstable_after, found.state.z});
     }
     const bool arrived = path.state().load_factor >= target;
     if (arrived && !path.land(target)) return lost();
     if (!arrived && k <= 200 && slope_of(path.state()) > 0.5 * steep) continue;
     CurvePoint here{path.state().load_factor, path.state().z, {}};
-    unstable_ = path.unstable_directions();
     problem_->set_load_factor(here.parameter);
-    iterations_ += path.iterations() + 1;
-    if (!problem_->linearize(here.value)) return {SteppingOutcome::lost, start, {}};
+    ++iterations_;
+    if (!problem_->linearize(here.value)) return lost();
+    unstable_ = path.unstable_directions();
+    keep();
     const PathEnergy energy = measure_energy(*problem_, here.value, here.slope);
     accept(std::move(here), energy);
     return {SteppingOutcome::reached, points_.back().parameter, {}};

@@ -311,8 +311,7 @@ void PathTracer::stop(const SteppingSummary& summary) {
     path_.termination.reason = fmt::format(
         "at load factor {:.6g} the ends of a flexure have turned against each other by more than "
         "three turns: it winds up like a spring, under loads far beyond what bends it. Smaller "
-        "loads "
-        "will do; are their units right?",
+        "loads will do; are their units right?",
         summary.load_factor);
     return;
   }
@@ -363,10 +362,12 @@ std::vector<TrackedPoint> tracked_points(const Model& model) {
 TracedPath trace_path(const Model& model, const std::vector<Load>& loads,
                       const ModelingSettings& settings, const TraceOptions& options) {
   constexpr int most_restarts = 2;
+  int spent = 0;
   for (int refinements = 0;; ++refinements) {
     PathTracer tracer(model, loads, settings, options, refinements);
     TracedPath path = tracer.run();
     // a load step by too few modes may lead astray: from the start by more, then
+    path.iterations = spent += path.iterations;
     if (!tracer.needs_finer_start() || refinements == most_restarts) return path;
   }
 }
