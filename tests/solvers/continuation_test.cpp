@@ -52,9 +52,6 @@ struct Snap {
   double inner(const std::vector<double>& u, const std::vector<double>& v) const {
     return u[0] * v[0] + u[1] * v[1];
   }
-  double distance(const std::vector<double>& u, const std::vector<double>& v) const {
-    return std::hypot(u[0] - v[0], u[1] - v[1]);
-  }
 };
 
 std::vector<LocatedFeature> follow(Snap& problem, double until_x) {

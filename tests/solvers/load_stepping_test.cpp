@@ -43,9 +43,6 @@ struct Truss {
   double inner(const std::vector<double>& a, const std::vector<double>& b) const {
     return a[0] * b[0];
   }
-  double distance(const std::vector<double>& a, const std::vector<double>& b) const {
-    return std::abs(a[0] - b[0]);
-  }
 };
 static_assert(LoadedProblem<Truss>);
 
@@ -150,9 +147,6 @@ struct ImperfectStrut {
   bool has_follower_loads() const { return false; }
   double inner(const std::vector<double>& a, const std::vector<double>& b) const {
     return a[0] * b[0] + a[1] * b[1];
-  }
-  double distance(const std::vector<double>& a, const std::vector<double>& b) const {
-    return std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1]));
   }
 };
 static_assert(LoadedProblem<ImperfectStrut>);

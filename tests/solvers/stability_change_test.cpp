@@ -40,9 +40,6 @@ struct Pitchfork {
   double inner(const std::vector<double>& a, const std::vector<double>& b) const {
     return a[0] * b[0] + a[1] * b[1];
   }
-  double distance(const std::vector<double>& a, const std::vector<double>& b) const {
-    return std::hypot(a[0] - b[0], a[1] - b[1]);
-  }
 };
 static_assert(LoadedProblem<Pitchfork>);
 
