@@ -60,6 +60,7 @@ add_custom_command(
           -P ${CMAKE_CURRENT_LIST_FILE}
   DEPENDS ${report_assets} ${CMAKE_CURRENT_LIST_FILE}
   COMMENT "Embedding the report's page" VERBATIM)
+set_source_files_properties(${report_assets_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Its source becomes part of whoever links to it: the library stays one archive.
 add_library(flexura_report_assets INTERFACE)

@@ -11,11 +11,6 @@ Vec2 turned(Vec2 mean, Vec2 arm) {
   return {mean.x * arm.x - mean.y * arm.y, mean.x * arm.y + mean.y * arm.x};
 }
 
-bool is_dead(const SystemLayout::Load& load, const TimeHistory& history) {
-  const auto* step = std::get_if<StepHistory>(&history);
-  return !load.follower && step && step->at <= 0.0;
-}
-
 }  // namespace
 
 void DiscreteMotion::add_bodies(const Moment& from, const Moment& to, double h, const Vec2* change,

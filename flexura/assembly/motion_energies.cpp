@@ -2,15 +2,6 @@
 #include "flexura/assembly/spring_potential.hpp"
 
 namespace flexura {
-namespace {
-
-/// Acts unchanged from the start.
-bool is_dead(const SystemLayout::Load& load, const TimeHistory& history) {
-  const auto* step = std::get_if<StepHistory>(&history);
-  return !load.follower && step && step->at <= 0.0;
-}
-
-}  // namespace
 
 /// What gravity and dead forces along a flexure have done since the drawn state.
 double MotionSystem::dead_work_on(std::size_t member, const Eigen::VectorXd& q) const {

@@ -17,6 +17,11 @@
 
 namespace flexura {
 
+/// Whether a load has a potential: it does not turn with its body, and is there from the start on.
+inline bool is_dead(const SystemLayout::Load& load, const TimeHistory& history) {
+  return !load.follower && is_constant(history);
+}
+
 /// How a mechanism is put together to move in time. Of `mechanism`, the members' ports are not used
 /// (theirs are `ports`), nor what is said to be constant or to grow: every load and everything
 /// prescribed is its value times its history.

@@ -132,6 +132,11 @@ HistoryValue TableHistory::at(double time) const {
 
 std::string describe_history(const TimeHistory& history) { return std::visit(Describe{}, history); }
 
+bool is_constant(const TimeHistory& history) {
+  const auto* step = std::get_if<StepHistory>(&history);
+  return step && step->at <= 0.0;
+}
+
 HistoryValue evaluate_history(const TimeHistory& history, double time) {
   return std::visit(Evaluate{time}, history);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <variant>
@@ -70,7 +71,13 @@ struct FunctionHistory {
 using TimeHistory = std::variant<StepHistory, RampHistory, HalfSineHistory, HarmonicHistory,
                                  LinearHistory, TableHistory, FunctionHistory>;
 
+/// One from time 0 on.
+bool is_constant(const TimeHistory& history);
+
 HistoryValue evaluate_history(const TimeHistory& history, double time);
+
+/// Of one history: more of them are no jumps or kinks, but samples.
+inline constexpr std::size_t most_breaks = 200;
 
 /// Times within (from, to) at which the history or its first derivative jumps, ascending: time
 /// steps should end there.

@@ -19,12 +19,6 @@ struct Field {
   std::size_t start = 0;  ///< byte of its line
 };
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::vector<Field> fields_of(std::string_view line) {
   std::vector<Field> fields;
   for (std::size_t start = 0; start <= line.size();) {

@@ -41,6 +41,12 @@ TextReading read_text_file(const std::filesystem::path& path, const std::string&
   return result;
 }
 
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
 std::string shown_text(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string readable(text.substr(0, longest));

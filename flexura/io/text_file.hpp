@@ -20,6 +20,9 @@ bool is_named_pipe(const std::filesystem::path& path);
 TextReading read_text_file(const std::filesystem::path& path, const std::string& shown,
                            std::size_t longest);
 
+/// Without what is blank at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// A part of a file for a message: not long, and nothing that a terminal would act on.
 std::string shown_text(std::string_view text);
 

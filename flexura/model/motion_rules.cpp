@@ -9,7 +9,6 @@
 namespace flexura {
 namespace {
 
-constexpr int most_modes = 1000;
 constexpr int most_frequencies = 100000;
 constexpr int most_outputs = 1000000;
 
@@ -223,7 +222,7 @@ void check_motion(const Model& model, const ModesStudy& study, const KeyPath& pa
     rules.refuse_followers(*study.about);
   }
   rules.refuse_assembly(study.about, "about");
-  mistakes.require_between(path / "count", study.count, 1, most_modes);
+  mistakes.require_between(path / "count", study.count, 1, largest_mode_count);
   rules.check_common(study.modelings, study.reference, study.inertia);
 }
 

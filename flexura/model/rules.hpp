@@ -9,6 +9,8 @@
 // The rules behind find_mistakes, a function for each group. All of them cope with any Model.
 namespace flexura {
 
+inline constexpr int largest_mode_count = 1000;  ///< that a study may ask for
+
 /// Collects broken rules.
 class Mistakes {
  public:

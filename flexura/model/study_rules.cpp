@@ -9,7 +9,6 @@ namespace flexura {
 namespace {
 
 constexpr int most_steps = 100000;
-constexpr int most_modes = 1000;
 
 struct StudyRules {
   const Model& model;
@@ -108,7 +107,7 @@ struct StudyRules {
         mistakes.add(path / "loads" / i / "follower",
                      "follower loads have no potential: their critical loads are not those of "
                      "this study. A path with control = \"arc_length\" follows them");
-    mistakes.require_between(path / "count", study.count, 1, most_modes);
+    mistakes.require_between(path / "count", study.count, 1, largest_mode_count);
     for (std::size_t m = 0; m < study.modelings.size(); ++m) {
       const auto* beam = std::get_if<BeamSettings>(&study.modelings[m].kind);
       if (beam && beam->theory == BeamSettings::Theory::printed)

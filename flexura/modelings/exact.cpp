@@ -15,7 +15,6 @@
 namespace flexura {
 namespace {
 
-constexpr int more_modes = 4;   // by which the estimate's flexure is finer
 constexpr int most_modes = 20;  // per piece; beyond, pieces are halved instead
 constexpr int halved_modes = 12;
 constexpr std::size_t storable_modes = 40;  // what a user may ask for, and then some

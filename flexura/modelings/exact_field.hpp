@@ -18,6 +18,9 @@ struct ExactPieces {
   std::size_t unknowns() const { return pieces() * modes_per_piece(); }
 };
 
+/// By which a flexure is finer that errors are estimated by.
+inline constexpr int more_modes = 4;
+
 /// Gauss points per piece, or per interval of a varying section.
 int exact_points(const ExactPieces& pieces);
 int varying_exact_points(const ExactPieces& pieces);

@@ -11,8 +11,6 @@
 namespace flexura {
 namespace {
 
-constexpr int more_modes = 4;  // by which the refined flexure is finer
-
 /// As many modes of axial and shear force: they follow the moment's slope.
 int force_modes(int modes) { return std::max(2, modes - 1); }
 

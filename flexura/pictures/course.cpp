@@ -133,6 +133,7 @@ Course motion_course(const Result& result, const MotionResult& motion,
   for (const MotionState& state : modeling.states) {
     states.push_back(frame_of(result.drawing, motion, state.state, modeling.modeling == "linear"));
     states.back().share = 1.0;
+    states.back().time = state.time;
     times.push_back(state.time);
   }
   if (!states.empty()) {  // the start need not be the mechanism as drawn

@@ -30,6 +30,7 @@ void add(Frame& to, double k, const Frame& frame, const Frame& from) {
   for (std::size_t p = 0; p < to.points.size(); ++p)
     to.points[p] = to.points[p] + k * (frame.points[p] - from.points[p]);
   to.share += k * (frame.share - from.share);
+  to.time += k * (frame.time - from.time);
   for (std::size_t r = 0; r < to.reactions.size(); ++r) {
     const Reaction& end = frame.reactions[r];
     const Reaction& start = from.reactions[r];
@@ -126,6 +127,7 @@ Frame exaggerated(const Frame& frame, const Frame& from, double factor) {
   Frame result = from;
   add(result, factor, frame, from);
   result.share = frame.share;
+  result.time = frame.time;
   result.reactions = frame.reactions;
   return result;
 }

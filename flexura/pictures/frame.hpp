@@ -21,6 +21,7 @@ struct Frame {
   std::vector<BodyPlace> bodies;        ///< of Drawing::bodies
   std::vector<Vec2> points;             ///< of Course::points
   double share = 0.0;                   ///< of the loads that grow
+  double time = 0.0;                    ///< of loads with histories; in a turn the drive's angle
   std::vector<Reaction> reactions;      ///< of Course::held
 };
 

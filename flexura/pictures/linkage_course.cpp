@@ -61,6 +61,7 @@ class Turn {
     const RigidPosition& position = linkage_.positions[k];
     Frame frame = drawn_frame(drawing_);
     frame.share = 1.0;
+    frame.time = std::abs(position.angle);
     const bool moved = factor != 0.0 && moves();
     const auto by = [&](const auto& table, std::size_t i) {
       return moved && k < table.size() ? factor * table[k][i] : Vec2{};

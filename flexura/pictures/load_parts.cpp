@@ -70,15 +70,20 @@ std::string arrows(const Sheet& sheet, const LoadedPlace& place,
   return text;
 }
 
+double largest_factor(const DrawnLoad& load) {
+  return load.history ? load.history->largest() : 1.0;
+}
+
 std::string load_text(const Sheet& sheet, const DrawnLoad& load, double force, double moment,
                       double share) {
   const std::optional<LoadedPlace> place = find_place(sheet.drawing, load.on);
-  // How a history makes a load come and go is not in the result.
-  if (!place || !load.history.empty()) return {};
+  if (!place) return {};
+  const double peak = largest_factor(load);
   const auto grown = [&](const Frame& f) {
+    if (load.history) return peak > 0.0 ? load.history->at(f.time) / peak : 0.0;
     return load.constant || share == 0.0 ? 1.0 : f.share / share;
   };
-  const double size = norm(load.force);
+  const double size = peak * norm(load.force);
   const double length =
       force > 0.0
           ? (shortest_arrow + (longest_arrow - shortest_arrow) * size / force) / longest_arrow
@@ -87,10 +92,12 @@ std::string load_text(const Sheet& sheet, const DrawnLoad& load, double force, d
       sheet, *place,
       [&](const Frame& frame) {
         if (size == 0.0) return Vec2{};
-        const Vec2 along = (length * grown(frame) / size) * load.force;
+        const Vec2 along = (length * grown(frame) / norm(load.force)) * load.force;
         return load.follower ? rotate(frame.bodies[place->body].at.rotation, along) : along;
       },
-      [&](const Frame& frame) { return moment > 0.0 ? grown(frame) * load.moment / moment : 0.0; });
+      [&](const Frame& frame) {
+        return moment > 0.0 ? grown(frame) * peak * load.moment / moment : 0.0;
+      });
 }
 
 std::string reaction_texts(const Sheet& sheet) {
@@ -138,8 +145,8 @@ std::string load_layer(const Sheet& sheet, const std::vector<DrawnLoad>& loads) 
   double moment = 0.0;
   double share = 0.0;
   for (const DrawnLoad& load : loads) {
-    force = std::max(force, norm(load.force));
-    moment = std::max(moment, std::abs(load.moment));
+    force = std::max(force, largest_factor(load) * norm(load.force));
+    moment = std::max(moment, largest_factor(load) * std::abs(load.moment));
   }
   for (const Frame& frame : sheet.course.frames) share = std::max(share, std::abs(frame.share));
   std::string text;

@@ -54,6 +54,16 @@ Json drawing_json(const Drawing& drawing, const DrawnCoordinates& coordinates) {
           {"joints", std::move(joints)}};
 }
 
+Json history_json(const std::optional<DrawnHistory>& history) {
+  if (!history) return nullptr;
+  Json factors = Json::array();
+  for (const double factor : history->factors) factors.push_back(rounded(factor));
+  return {{"words", history->words},
+          {"end", rounded(history->end)},
+          {"largest", rounded(history->largest())},
+          {"factors", std::move(factors)}};
+}
+
 Json loads_json(const std::vector<DrawnLoad>& loads) {
   Json list = Json::array();
   for (const DrawnLoad& load : loads) {
@@ -62,7 +72,7 @@ Json loads_json(const std::vector<DrawnLoad>& loads) {
                     {"moment", rounded(load.moment)},
                     {"follower", load.follower},
                     {"constant", load.constant},
-                    {"history", load.history}});
+                    {"history", history_json(load.history)}});
   }
   return list;
 }

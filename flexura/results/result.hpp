@@ -7,6 +7,7 @@
 
 #include "flexura/core/termination.hpp"
 #include "flexura/core/vec2.hpp"
+#include "flexura/results/drawn_history.hpp"
 #include "flexura/results/ellipse.hpp"
 #include "flexura/results/linkage_result.hpp"
 #include "flexura/results/mode_result.hpp"
@@ -72,7 +73,7 @@ struct DrawnLoad {
   double moment = 0.0;
   bool follower = false;
   bool constant = false;
-  std::string history = {};  ///< in words, of a study of motion; empty: there from the start
+  std::optional<DrawnHistory> history = {};  ///< none: as it is from the start on
 };
 
 /// What acts along flexures and on masses, as drawn: at full load factor.

@@ -1,11 +1,41 @@
 #include "flexura/studies/drawing.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 #include "flexura/assembly/two_port.hpp"
 
 namespace flexura {
 namespace {
+
+/// So many pieces of a history that its swings can be told apart, within what a page can carry.
+std::size_t count_pieces(const TimeHistory& history, double end) {
+  constexpr double least = 480.0;
+  constexpr double most = 9600.0;
+  constexpr double per_cycle = 24.0;
+  double wanted = least;
+  if (const auto* harmonic = std::get_if<HarmonicHistory>(&history))
+    wanted = per_cycle * std::abs(harmonic->angular_frequency) * end / (2.0 * std::numbers::pi);
+  if (const auto* half = std::get_if<HalfSineHistory>(&history))
+    wanted = per_cycle * end / half->duration;
+  if (const auto* table = std::get_if<TableHistory>(&history))
+    wanted = 2.0 * static_cast<double>(table->times().size());
+  return static_cast<std::size_t>(std::clamp(wanted, least, most));
+}
+
+/// Nothing of what is there from the start on.
+std::optional<DrawnHistory> follow_history(const TimeHistory& history, double end) {
+  DrawnHistory drawn{describe_history(history), end, {}};
+  if (drawn.words.empty()) return {};
+  const std::size_t pieces = count_pieces(history, end);
+  for (std::size_t k = 0; k <= pieces; ++k) {
+    const double time = end * static_cast<double>(k) / static_cast<double>(pieces);
+    drawn.factors.push_back(evaluate_history(history, time).value);
+  }
+  return drawn;
+}
 
 /// A slider has no place of its own: it is drawn where the body that slides is.
 DrawnJoint make_drawn_joint(const Model& model, const Joint& joint) {
@@ -93,6 +123,14 @@ std::vector<DrawnLoad> make_drawn_loads(const Model& model, const std::vector<Lo
     const std::string on = load.point ? body.name + "." + body.points[*load.point].name : body.name;
     drawn.push_back({on, load.force, load.moment, load.follower, load.constant});
   }
+  return drawn;
+}
+
+std::vector<DrawnLoad> make_drawn_loads(const Model& model, const std::vector<Load>& loads,
+                                        double end) {
+  std::vector<DrawnLoad> drawn = make_drawn_loads(model, loads);
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    drawn[i].history = follow_history(loads[i].history, end);
   return drawn;
 }
 

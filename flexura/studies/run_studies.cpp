@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <thread>
 
 #include "flexura/model/study_kind.hpp"
@@ -130,9 +131,7 @@ class Run {
   }
   void prepare(const ModesStudy&, StudyResult& result) { result.content = mode_names(); }
   void prepare(const TransientStudy& study, StudyResult& result) {
-    result.loads = make_drawn_loads(model_, study.loads);
-    for (std::size_t i = 0; i < study.loads.size(); ++i)
-      result.loads[i].history = describe_history(study.loads[i].history);
+    result.loads = make_drawn_loads(model_, study.loads, study.duration);
     result.fields = make_drawn_fields(study.fields);
     PathResult names = make_path_names(model_);
     MotionResult motion;
@@ -153,9 +152,7 @@ class Run {
     result.content = std::move(response);
   }
   void prepare(const LinkageStudy& study, StudyResult& result) {
-    result.loads = make_drawn_loads(model_, study.loads);
-    for (std::size_t i = 0; i < study.loads.size(); ++i)
-      result.loads[i].history = describe_history(study.loads[i].history);
+    result.loads = make_drawn_loads(model_, study.loads, 2.0 * std::numbers::pi);
     result.fields.gravity = study.gravity;
   }
   void add_tasks(const LinkageStudy& study, StudyResult& result) {

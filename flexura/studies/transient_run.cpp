@@ -20,8 +20,7 @@ double newton_tolerance(double tolerance) {
   return tolerance > 0.0 ? std::min(1e-3 * tolerance, 1e-6) : 1e-11;
 }
 
-constexpr double same_time = 1e-12;       // as a share of the study's duration
-constexpr std::size_t most_breaks = 200;  // of one history: more of them are no jumps but samples
+constexpr double same_time = 1e-12;  // as a share of the study's duration
 
 /// Output times and, between them, those at which loads or the rates of imposed motions jump.
 struct Goal {

@@ -12,14 +12,7 @@
 namespace flexura {
 namespace {
 
-constexpr std::size_t most_breaks = 200;  // of one history: more of them are no kinks but samples
-
 double period_of(double speed) { return 2.0 * std::numbers::pi / std::abs(speed); }
-
-bool is_constant(const TimeHistory& history) {
-  const auto* step = std::get_if<StepHistory>(&history);
-  return step && step->at <= 0.0;
-}
 
 /// The same course in another time.
 TimeHistory paced(const TimeHistory& history, double pace) {

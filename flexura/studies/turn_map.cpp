@@ -18,7 +18,7 @@ constexpr double difference = 1e-5;
 /// How far a state may be from the one that steps were made for.
 constexpr double near = 1e-3;
 
-double newton_tolerance(double tolerance) { return std::min(1e-3 * tolerance, most_left); }
+double orbit_newton_tolerance(double tolerance) { return std::min(1e-3 * tolerance, most_left); }
 
 std::vector<Eigen::Index> rotations_of(const MotionSystem& system) {
   std::vector<Eigen::Index> places;
@@ -53,7 +53,8 @@ bool TurnMap::march(Moment& moment) {
     goals.push_back({0.0, k == settings_.outputs ? duration : interval * k, false, true});
   for (const double at : settings_.breaks) goals.push_back({0.0, at, true, false});
   std::sort(goals.begin(), goals.end(), [](const Step& a, const Step& b) { return a.end < b.end; });
-  Integrator integrator(system_, {newton_tolerance(settings_.tolerance), settings_.tolerance});
+  Integrator integrator(system_,
+                        {orbit_newton_tolerance(settings_.tolerance), settings_.tolerance});
   const double first = steps_.empty() ? 0.01 * interval : steps_.front().length;
   steps_.clear();
   TimeMarch<Integrator> march(integrator, {0.0, settings_.tolerance, first, 1e-12 * duration});
@@ -83,7 +84,7 @@ bool TurnMap::march(Moment& moment) {
 
 /// In the steps that were noted.
 bool TurnMap::repeat(Moment& moment, std::vector<Moment>* moments) {
-  Integrator integrator(system_, {newton_tolerance(settings_.tolerance), 0.0});
+  Integrator integrator(system_, {orbit_newton_tolerance(settings_.tolerance), 0.0});
   MotionFactor<double> factor;
   for (const Step& step : steps_) {
     const StepReport report = integrator.step(moment, step.length);

@@ -88,6 +88,20 @@ TEST(Pictures, OfTransientsEndWhereTheyEnd) {
   EXPECT_EQ(values_of(drawn(result, {study_of_kind(result, "transient").name})), 91U);
 }
 
+TEST(Pictures, OfLoadsGrowAndShrinkByTheirHistories) {
+  Result result = sample::make_sample_motion();
+  StudyResult& study = result.studies[1];
+  std::get<MotionResult>(study.content).held.clear();  // whose arrows look the same
+  const auto with = [&](std::vector<double> factors) {
+    study.loads[0].history = {"a history", 1.0, std::move(factors)};
+    return drawn(result, {study.name});
+  };
+  EXPECT_EQ(count_of(with({0.0, 0.0}), "class=\"load\""), 0U);
+  EXPECT_GT(count_of(with({0.0, 1.0}), "class=\"load\""), 0U);
+  EXPECT_EQ(with({0.0, 1.0}), with({0.0, 2.0})) << "as long as can be where they are largest";
+  EXPECT_NE(with({0.0, 1.0}), with({1.0, 0.0}));
+}
+
 TEST(Pictures, OfTurnsGoOnceRoundWithTheirDeflectionsExaggerated) {
   const Result result = sample::make_sample_turn();
   const std::string svg = drawn(result, {"turn"});

@@ -45,8 +45,11 @@ TEST(ReportData, HasJointsAndHistories) {
   EXPECT_TRUE(joints[0]["direction"].is_null());
   EXPECT_EQ(joints[1]["action"], "piston");
   EXPECT_EQ(joints[1]["direction"], nlohmann::json({1.0, 0.0}));
-  EXPECT_EQ(data["studies"][1]["loads"][0]["history"], "a half-sine from 0.1 s that lasts 0.05 s");
-  EXPECT_EQ(data["studies"][0]["loads"][0]["history"], "");
+  const nlohmann::json& history = data["studies"][1]["loads"][0]["history"];
+  EXPECT_EQ(history["words"], "a half-sine from 0.1 s that lasts 0.05 s");
+  EXPECT_EQ(history["factors"], nlohmann::json({0.0, 0.5, 0.0}));
+  EXPECT_EQ(history["largest"], 0.5);
+  EXPECT_TRUE(data["studies"][0]["loads"][0]["history"].is_null());
 }
 
 TEST(ReportData, HasFrequenciesAlongAPath) {

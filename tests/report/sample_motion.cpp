@@ -269,7 +269,7 @@ Result make_sample_motion(int outputs) {
 
   StudyResult turn = study("turn", "transient");
   turn.termination = {Status::stopped, "scmbm stopped early"};
-  turn.loads[0].history = "a half-sine from 0.1 s that lasts 0.05 s";
+  turn.loads[0].history = {"a half-sine from 0.1 s that lasts 0.05 s", 0.25, {0.0, 0.5, 0.0}};
   turn.fields.gravity = {0.0, -9810.0};
   turn.fields.constant = true;
   turn.content = make_motion(outputs);

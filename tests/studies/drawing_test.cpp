@@ -1,7 +1,10 @@
-// The mechanism as drawn: joints, which have a place of their own or take a body's.
+// The mechanism as drawn: joints, which have a place of their own or take a body's, and loads that
+// come and go.
 #include "flexura/studies/drawing.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace flexura::testing {
 namespace {
@@ -36,6 +39,36 @@ TEST(Drawing, ASliderIsWhereItsActionBodyIs) {
   EXPECT_EQ(slider.action, "piston");
   EXPECT_EQ(slider.at, (Vec2{70.0, 5.0}));
   EXPECT_EQ(slider.direction, (Vec2{3.0, 0.0}));
+}
+
+DrawnHistory drawn_history(TimeHistory history, double end) {
+  Load load;
+  load.body = 1;
+  load.moment = 2.0;
+  load.history = std::move(history);
+  return make_drawn_loads(crank_and_slider(), {load}, end).at(0).history.value_or(DrawnHistory{});
+}
+
+TEST(Drawing, LoadsThereFromTheStartHaveNoHistory) {
+  EXPECT_TRUE(drawn_history(StepHistory{}, 1.0).factors.empty());
+}
+
+TEST(Drawing, HistoriesAreFollowedToTheEndOfTheStudy) {
+  const DrawnHistory ramp = drawn_history(RampHistory{1.0, 3.0}, 4.0);
+  EXPECT_EQ(ramp.end, 4.0);
+  EXPECT_EQ(ramp.largest(), 1.0);
+  EXPECT_EQ(ramp.at(-1.0), 0.0);
+  EXPECT_NEAR(ramp.at(1.75), 0.375, 1e-12);
+  EXPECT_EQ(ramp.at(5.0), 1.0);
+}
+
+TEST(Drawing, ShortSwingsOfHistoriesAreNotMissed) {
+  const DrawnHistory hit = drawn_history(HalfSineHistory{0.4, 1e-3}, 1.0);
+  EXPECT_NEAR(hit.largest(), 1.0, 0.01);
+  EXPECT_NEAR(hit.at(0.4005), 1.0, 0.01);
+  const DrawnHistory shaken = drawn_history(HarmonicHistory{600.0, 0.0}, 1.0);
+  for (const double t : {0.1234, 0.777, 0.999})
+    EXPECT_NEAR(shaken.at(t), std::sin(600.0 * t), 0.01) << t;
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ const Course = (() => {
 
   function stateAt(motion, modeling, position) {
     const state = Motion.stateAt(modeling, modeling.times, position);
-    return state && { ...state, axes: axesAt(motion, modeling, state, position) };
+    return state && { ...state, time: position, axes: axesAt(motion, modeling, state, position) };
   }
 
   // How fast it may be watched: in how many time units a second.

@@ -107,6 +107,31 @@ const Figure = (() => {
     });
   }
 
+  // The factor on a load in a state of a path, or at a time or an angle where it has a history.
+  function factorOf({ constant, history }, { load_factor: grown, time }) {
+    if (!history) return constant ? 1 : grown;
+    const last = history.factors.length - 1;
+    const place = Math.max(0, Math.min(1, time / history.end)) * last;
+    const i = Math.min(Math.floor(place), last - 1);
+    return history.factors[i] + (place - i) * (history.factors[i + 1] - history.factors[i]);
+  }
+
+  // The arrows of loads, and their sizes, on bodies carried to where they are in a state.
+  function drawnLoads(view, loads, carried, state) {
+    return loads.map((load) => {
+      const factor = factorOf(load, state);
+      const share = Math.abs(factor) / (load.history ? load.history.largest || 1 : 1);
+      const on = Mechanism.find(load.on);
+      if (!on || share < 1e-3) return { items: [], texts: [] };
+      const { move, rotation } = carried(on.body.name);
+      const turn = load.follower ? rotation : 0;
+      const [fx, fy] = load.force.map((v) => v * factor);
+      const force = [fx * Math.cos(turn) - fy * Math.sin(turn),
+        fx * Math.sin(turn) + fy * Math.cos(turn)];
+      return Mechanism.loadItems(view, move(on.place), force, load.moment * factor, share);
+    });
+  }
+
   // Loads and reactions act on what the reference shows, or else on the first modeling shown.
   // Returns the texts at the loads.
   function drawLoads(view, study, path, shown) {
@@ -116,18 +141,7 @@ const Figure = (() => {
     if (shown.length > 0) {
       const { modeling, state } = shown[0];
       const carried = carriedBy(path.bodies, state.bodies, modeling.modeling === 'linear');
-      for (const load of study.loads) {
-        const factor = load.constant ? 1 : state.load_factor;
-        const share = Math.abs(factor);
-        const on = Mechanism.find(load.on);
-        if (!on || share < 1e-3) continue;
-        const { move, rotation } = carried(on.body.name);
-        const turn = load.follower ? rotation : 0;
-        const [fx, fy] = load.force.map((v) => v * factor);
-        const force = [fx * Math.cos(turn) - fy * Math.sin(turn),
-          fx * Math.sin(turn) + fy * Math.cos(turn)];
-        add(Mechanism.loadItems(view, move(on.place), force, load.moment * factor, share));
-      }
+      drawnLoads(view, study.loads, carried, state).forEach(add);
       if (state.reactions) drawReactions(view, path, modeling, state, add);
     }
     view.paths('loads', items);
@@ -180,6 +194,6 @@ const Figure = (() => {
   }
 
   return {
-    frameOf, legend, shownStates, carriedBy, draw,
+    frameOf, legend, shownStates, carriedBy, drawnLoads, draw,
   };
 })();

@@ -142,7 +142,16 @@ const LinkageFigure = (() => {
     ])));
   }
 
-  function draw(view, turn) {
+  // Loads act on what the first method shows, or on rigid links where none moves.
+  function drawLoads(view, loads, turn, state) {
+    const angle = State.chosen.position * Math.PI / 180;
+    const drawn = Figure.drawnLoads(
+      view, loads, carried(state, turn), { load_factor: 1, time: angle });
+    view.paths('loads', drawn.flatMap(({ items }) => items));
+    view.texts('load-names', drawn.flatMap(({ texts }) => texts));
+  }
+
+  function draw(view, turn, loads) {
     const { position, exaggeration: factor } = State.chosen;
     const rigid = Turn.rigidAt(turn, position);
     Mechanism.drawGround(view);
@@ -164,6 +173,7 @@ const LinkageFigure = (() => {
     view.paths('connections', each((state, look) => (
       Mechanism.connectionItems(view, carried(state, turn), look))));
     drawTraces(view, turn, states, factor);
+    drawLoads(view, loads, turn, states.length > 0 ? states[0].state : rigid);
     const named = [...turn.points.map((name, p) => [name, rigid.points[p]]),
       ...(turn.points.length > 0 ? [] : turn.bodies.map((name, b) => [name, rigid.bodies[b]]))];
     view.texts('names', named.map(([text, place]) => {
@@ -225,7 +235,7 @@ const LinkageFigure = (() => {
     if (anyMoves) exaggerationSlider(bar);
     traceChooser(bar, turn);
     const view = new View(host, boxOf(turn), `The linkage over its turn, in study ${study.name}`,
-      (v) => draw(v, turn));
+      (v) => draw(v, turn, study.loads));
     Transport.make(host, Turn.timeline(turn));
     d3.select(host).append('p').attr('class', 'hint').text(
       'Grey: as if the links were rigid. Flexures have their true depth, but are never thinner '

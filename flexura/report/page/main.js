@@ -25,7 +25,7 @@
     if (force[0] !== 0 || force[1] !== 0) parts.push(`force ${vector(force)} ${units.force}`);
     if (moment !== 0) parts.push(`moment ${Numbers.short(moment)} ${units.force}·${units.length}`);
     return `${parts.join(' and ') || 'no load'} on ${on}${follower ? ', turning with it' : ''}`
-      + `${constant ? ', there from the start' : ''}${history ? `, ${history}` : ''}`;
+      + `${constant ? ', there from the start' : ''}${history ? `, ${history.words}` : ''}`;
   }
 
   // How a study of motion was made.
