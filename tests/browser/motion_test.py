@@ -86,6 +86,12 @@ class MotionTest(PageTest):
         self.assertFalse(any("NaN" in d or not d for shape in shapes for d in shape))
         self.assertEqual("time1.000s", "".join(self.texts(".readout > *")))
 
+    def test_loads_come_and_go_by_their_histories(self):
+        self.open_kind("transient")
+        for share, sizes in ((0.0, []), (0.125, ["0.2 N"]), (0.5, [])):
+            self.seek(share)
+            self.assertEqual(sizes, self.texts(".load-names text"), share)
+
     def test_flexures_stay_on_their_bodies_between_drawn_states(self):
         # Of the reference, where the leaf's end and the tip's centre should be one place.
         self.open_kind("transient")

@@ -137,7 +137,10 @@ class Chart {
     if (!this.options.xLog) {
       // One in the very corner would lie on that of the other axis.
       const inCorner = (t) => this.options.free && this.x(t) < this.margin.left + 16;
-      return this.x.ticks(5).filter((t) => !inCorner(t));
+      const apart = (ticks) => ticks.length < 2 || this.x(ticks[1]) - this.x(ticks[0])
+        > 8 + 6.2 * d3.max(ticks, (t) => Numbers.short(t).length);
+      const choices = [5, 4, 3, 2].map((count) => this.x.ticks(count));
+      return (choices.find(apart) || choices[3]).filter((t) => !inCorner(t));
     }
     const [low, high] = this.x.domain();
     const [from, to] = [low, high].map(Math.log10);

@@ -49,7 +49,7 @@ const TransientStudy = (() => {
   function hintFor(study, motion, strays) {
     const sentences = ['Grey: as drawn. Drawn to scale; flexures have their true depth, but are '
       + 'never thinner than a hairline.'];
-    if (study.loads.length > 0) sentences.push('Loads are drawn at full size at all times.');
+    if (study.loads.length > 0) sentences.push('Arrows of loads grow and shrink with them.');
     if (motion.modelings.some((m) => !m.converged)) {
       sentences.push('Pale: the last state of a modeling that stopped before.');
     }
