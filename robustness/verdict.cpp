@@ -85,7 +85,7 @@ void judge_limit_point(const TracedPath& path, const TracedEvent& event, double 
   verdict.load_factor = event.load_factor;
   verdict.unstable = path.states.back().unstable_directions > 0;
   std::string found;
-  for (const double longest_step : {2e-2, 2e-3, 2e-4}) {
+  for (const double longest_step : {2e-2, 2e-3, 2e-4, 2e-5}) {
     found = pass_limit_point(path, event, tolerance, longest_step);
     verdict.correct = found.empty();
     if (verdict.correct) return;

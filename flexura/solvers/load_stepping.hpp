@@ -74,6 +74,7 @@ class LoadStepping {
   bool cross_over(double target);
   bool is_wound_up() const;
   bool came_as_predicted(const NewtonSummary& summary, double moved) const;
+  bool passes_unstable_states(const NewtonSummary& summary, int unstable) const;
   void accept(CurvePoint point, const PathEnergy& energy);
   bool locate_change(double from, double to, const std::vector<double>& z, int after, double meet);
   SteppingSummary follow_arc(double target);
@@ -185,6 +186,7 @@ bool LoadStepping<Problem>::try_step(double to, double meet) {
   const double moved = distance(*problem_, last.value, next.value);
   if (!came_as_predicted(summary, moved)) return false;
   const int unstable = problem_->unstable_directions();
+  if (passes_unstable_states(summary, unstable)) return false;
   const PathEnergy energy = measure_energy(*problem_, next.value, next.slope);
   // where nothing moves but by rounding, directions and work mean nothing
   if (moved >= 1e-7 &&
@@ -202,11 +204,18 @@ bool LoadStepping<Problem>::try_step(double to, double meet) {
 template <LoadedProblem Problem>
 bool LoadStepping<Problem>::came_as_predicted(const NewtonSummary& summary, double moved) const {
   const double off = summary.first_step;
-  if (points_.size() > 1 && off > 0.02 && off > 0.1 * moved) return false;
   // without an energy to tell branches apart, only short steps are sure to stay on theirs; with
   // one, long steps that came out as predicted are, too
-  if (moved > 0.5 && problem_->has_follower_loads()) return false;
+  const bool follows = problem_->has_follower_loads();
+  if ((points_.size() > 1 || follows) && off > 0.02 && off > 0.1 * moved) return false;
+  if (moved > 0.5 && follows) return false;
   return moved <= 1.0 || points_.size() == 1 || off <= 0.01 * moved;
+}
+
+template <LoadedProblem Problem>
+bool LoadStepping<Problem>::passes_unstable_states(const NewtonSummary& summary,
+                                                   int unstable) const {
+  return points_.size() == 1 && summary.unstable_at_start > std::max(unstable, unstable_);
 }
 
 template <LoadedProblem Problem>

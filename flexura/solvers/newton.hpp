@@ -28,6 +28,7 @@ struct NewtonSummary {
   int iterations = 0;       ///< linearizations
   double first_step = 0.0;  ///< size of the first step: how far the start was off
   double last_step = 0.0;
+  int unstable_at_start = 0;  ///< directions, where the problem knows them
 };
 
 inline void add_scaled(std::vector<double>& z, double factor, const std::vector<double>& step) {
@@ -71,6 +72,8 @@ NewtonSummary Newton::solve(Problem& problem, std::vector<double>& z) {
     summary.outcome = NewtonOutcome::singular;
     return summary;
   }
+  if constexpr (requires { problem.unstable_directions(); })
+    summary.unstable_at_start = problem.unstable_directions();
   size_ = problem.newton_step(step_);
   summary.first_step = size_;
   double contraction = 1.0;

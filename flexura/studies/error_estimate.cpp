@@ -6,6 +6,13 @@
 #include "flexura/solvers/newton.hpp"
 
 namespace flexura {
+namespace {
+
+/// By which the finer system's moments may differ at first, as turns of a flexure: where they are
+/// large in a boundary layer, they differ by more than anything moves.
+constexpr double most_moments = 20.0;
+
+}  // namespace
 
 bool ErrorEstimate::solve(const System& system, const std::vector<double>& z, int& iterations) {
   z_ = system.prolong(z, *finer_);
@@ -18,7 +25,8 @@ bool ErrorEstimate::solve(const System& system, const std::vector<double>& z, in
     ++iterations;
     if (!finer_->linearize(z_)) return false;
     const double size = finer_->newton_step(step_);
-    if (!(size < std::max(2.0 * before, 1e-13)) || size > 1.0) return false;
+    if (!(size < std::max(2.0 * before, 1e-13)) || size > (k == 1 ? most_moments : 1.0))
+      return false;
     add_scaled(z_, 1.0, step_);
     distances.push_back(finer_->distance(z_, start));
     if (k == 1) first = size;

@@ -185,6 +185,7 @@ SteppingSummary PathTracer::advance(Stepping& stepping, double load_factor) {
     note_changes(stepping);  // while they belong to this system
     if (!refine(stepping)) {
       path_.systems.pop_back();
+      refinement_failed_ = true;
       return before;
     }
     summary = stepping.advance(load_factor);

@@ -1,5 +1,5 @@
 // What random mechanisms brought to light (docs/robustness.md): slender stages that were taken for
-// singular, and limit loads that more modes would change.
+// singular, tight bands without an estimate of their error, and limit loads that more modes change.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,6 +54,28 @@ TEST(SlenderPath, MechanismsThatMoveFreelyStillAre) {
   const TracedPath path = testing::trace(m.model(), {m.load("stage.P", {1e-6, 0.0})}, exact({}), 4);
   EXPECT_FALSE(path.termination.converged());
   EXPECT_NE(path.termination.reason.find("singular"), std::string::npos);
+}
+
+/// Pulled by 60,000 EI/L^2 it bends within L/240 of its ends only.
+TEST(SlenderPath, TightBandsKnowTheirError) {
+  Mechanism m;
+  m.material(210e3, 0.3).fixed("ground").body("stage").point("P", {50, 0});
+  m.section(RectangleSection{0.05, 10.0, LeafProfile{}, LeafProfile{}});
+  m.flexure("ground", "stage", LineAxis{{0, 0}, {50, 0}});
+  Load pull = m.load("stage.P", {520.0, 0.0});
+  pull.constant = true;
+  const std::vector<Load> loads = {pull, m.load("stage.P", {0.0, 200.0})};
+  const TracedPath by_modes = testing::trace(m.model(), loads, exact({}), 10);
+  const TracedPath by_elements = testing::trace(m.model(), loads, testing::beam(40, 7), 10);
+  ASSERT_TRUE(by_modes.termination.converged());
+  ASSERT_TRUE(by_elements.termination.converged());
+  const TracedState& end = by_modes.states.back();
+  ASSERT_FALSE(end.errors.empty());
+  const double off = norm(testing::point_in(by_modes, 10, 1, {50, 0}) -
+                          testing::point_in(by_elements, 10, 1, {50, 0}));
+  EXPECT_LT(off, 2e-5 * 50.0);
+  EXPECT_GT(end.errors[0], 0.3 * off);
+  EXPECT_LT(end.errors[0], 30.0 * off);
 }
 
 double limit_load(const Mechanism& arch, const ModelingSettings& settings, double force) {
