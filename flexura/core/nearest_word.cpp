@@ -52,7 +52,10 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
     const std::size_t edits = edit_distance(word, candidate);
     // A word of one letter is near to every other one: then only a difference in case counts.
     if (edits >= std::max(word.size(), candidate.size())) continue;
-    if (edits < fewest) {
+    // Of words as near, one that goes on as this one begins is meant.
+    const bool goes_on =
+        best && edits == fewest && candidate.starts_with(word) && !best->starts_with(word);
+    if (edits < fewest || goes_on) {
       best = &candidate;
       fewest = edits;
     }

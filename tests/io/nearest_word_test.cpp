@@ -15,6 +15,7 @@ TEST(NearestWord, FindsMisspellings) {
   EXPECT_EQ(nearest_word("Width", keys), "width");
   EXPECT_EQ(nearest_word("lnk2", keys), "link2");
   EXPECT_EQ(nearest_word("poisson", keys), "poissons_ratio");
+  EXPECT_EQ(nearest_word("GP", std::vector<std::string>{"g", "GPa", "Pa"}), "GPa");
 }
 
 TEST(NearestWord, IsSilentWhereNothingIsNear) {

@@ -3,6 +3,7 @@
 // huge.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "flexura/results/path_result.hpp"
@@ -72,6 +73,36 @@ TEST(HonestFigures, RoundingIsNoDifference) {
   compare_with_reference(result);
   EXPECT_EQ(result.modelings[0].difference, 0.0);
   EXPECT_EQ(result.modelings[1].error_estimate, 0.0);
+}
+
+/// Each modeling goes a step of its own beyond the limit point that ends its path.
+TEST(HonestFigures, EndsSomewhereBehindLimitPointsAreNotCompared) {
+  Mechanism arch;
+  arch.material(210e3, 0.3).fixed("ground").body("crown");
+  arch.section(RectangleSection{0.5, 10.0, LeafProfile{}, LeafProfile{}});
+  arch.flexure("ground", "crown", LineAxis{{-50, 0}, {0, 2}});
+  arch.flexure("ground", "crown", LineAxis{{50, 0}, {0, 2}});
+  PathStudy study;
+  study.loads = {arch.load("crown", {0.0, -100.0})};
+  study.arc_length = true;
+  study.until.limit_points = 1;
+  const auto traced = [&](const ModelingSettings& settings, int steps) {
+    study.steps = steps;
+    return run_path(arch.model(), study, settings, [](double) { return true; });
+  };
+  PathResult result;
+  result.by_arc_length = true;
+  result.modelings = {traced(exact(1e-8), 20), traced(beam(8, 3), 33)};
+  for (const ModelingPath& path : result.modelings) {
+    ASSERT_FALSE(path.events.empty()) << path.label;
+    EXPECT_EQ(path.events.back().kind, "limit point");
+  }
+  EXPECT_GT(std::abs(result.modelings[0].states.back().load_factor -
+                     result.modelings[1].states.back().load_factor),
+            1e-6);
+  compare_with_reference(result);
+  ASSERT_TRUE(result.modelings[1].difference);
+  EXPECT_LT(*result.modelings[1].difference, 1e-5);
 }
 
 }  // namespace
