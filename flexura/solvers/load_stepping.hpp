@@ -308,6 +308,10 @@ SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
     problem_->set_load_factor(here.parameter);
     ++iterations_;
     if (!problem_->linearize(here.value)) return lost();
+    // what lies beyond is met again
+    while (!passed.empty() && passed.back().load_factor > here.parameter) passed.pop_back();
+    if (path.unstable_directions() != (passed.empty() ? unstable_ : passed.back().after))
+      return lost();
     unstable_ = path.unstable_directions();
     keep();
     const PathEnergy energy = measure_energy(*problem_, here.value, here.slope);

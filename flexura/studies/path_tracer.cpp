@@ -160,7 +160,8 @@ bool PathTracer::settle(Stepping& stepping) {
   return true;
 }
 
-/// Goes on by the finer system; false where it has no equilibrium near the last state.
+/// Goes on by the finer system; false where it has no equilibrium near the last state, or one on
+/// another part of the path, which is not as stable.
 bool PathTracer::refine(Stepping& stepping) {
   --refinements_left_;
   const System& coarse = system();
@@ -169,7 +170,8 @@ bool PathTracer::refine(Stepping& stepping) {
     return coarse.prolong(v, system());
   });
   estimate_ = std::make_unique<ErrorEstimate>(system());
-  return stepping.correct();
+  const int unstable = stepping.unstable_directions();
+  return stepping.correct() && stepping.unstable_directions() == unstable;
 }
 
 /// On to the next load factor. Where a path seems to end in between, it may only be the end of what
