@@ -34,7 +34,7 @@ struct Evaluate {
     return {t >= step.at ? 1.0 : 0.0, 0.0, 0.0};
   }
   HistoryValue operator()(const RampHistory& ramp) const {
-    if (t <= ramp.start) return {};
+    if (t < ramp.start) return {};
     if (t >= ramp.end) return {1.0, 0.0, 0.0};
     const double h = ramp.end - ramp.start;
     const double x = (t - ramp.start) / h;
@@ -43,7 +43,7 @@ struct Evaluate {
             60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / (h * h)};
   }
   HistoryValue operator()(const HalfSineHistory& pulse) const {
-    if (t <= pulse.start || t >= pulse.start + pulse.duration) return {};
+    if (t < pulse.start || t >= pulse.start + pulse.duration) return {};
     const double w = M_PI / pulse.duration;
     const double angle = w * (t - pulse.start);
     return {std::sin(angle), w * std::cos(angle), -w * w * std::sin(angle)};

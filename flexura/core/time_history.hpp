@@ -8,7 +8,7 @@
 
 namespace flexura {
 
-/// A function of time with its first two derivatives.
+/// A function of time with its first two derivatives; where these jump, those from then on.
 struct HistoryValue {
   double value = 0.0;
   double rate = 0.0;

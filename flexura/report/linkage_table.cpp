@@ -16,6 +16,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 std::string bands_note(const Result& result, const LinkageResult& linkage, bool colour) {
   std::string words = "frequencies over the turn, " + frequency_unit(result.time_unit) + ":";
   const auto bands = frequency_bands(linkage);
+  if (bands.empty()) return {};
   constexpr double turn = 2.0 * std::numbers::pi;
   for (std::size_t k = 0; k < std::min<std::size_t>(4, bands.size()); ++k)
     words += fmt::format("{} {} to {}", k == 0 ? "" : ",", number(bands[k].least / turn),

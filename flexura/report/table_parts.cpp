@@ -68,8 +68,9 @@ std::string note(const std::string& words, Ink ink, bool colour) {
 }
 
 std::string stop_note(const Termination& termination, const std::string& place, bool colour) {
-  if (termination.converged()) return {};
   const std::string& reason = termination.reason;
+  if (termination.converged())
+    return reason.empty() ? std::string() : note(reason, Ink::faint, colour);
   return note("stopped " + place + (reason.empty() ? "no reason was given" : reason), Ink::bad,
               colour);
 }

@@ -36,7 +36,8 @@ std::string headline(const StudyResult& study, const std::string& reference, boo
 /// Words below the row they belong to.
 std::string note(const std::string& words, Ink ink, bool colour);
 
-/// Why a modeling stopped; `place` says where ("at load factor 0.7: "), empty if nowhere.
+/// Why a modeling stopped; `place` says where ("at load factor 0.7: "), empty if nowhere. What is
+/// to be said of one that has not.
 std::string stop_note(const Termination& termination, const std::string& place, bool colour);
 
 /// A modeling's cells, and what is to be said of it below them.

@@ -107,6 +107,7 @@ Vibrations dense_vibrations(const Eigen::MatrixXd& stiffness, const Eigen::Matri
   constexpr double most = 1e3;     // shift, in ratios of the traces
   constexpr double enough = 1e-4;  // beside zero frequencies: eleven digits of the others are left
   Vibrations modes;
+  if (mass.isZero(0.0)) return modes;
   const Eigen::MatrixXd root = mass_root(mass);
   const double unit = std::abs(stiffness.trace() / std::max(mass.trace(), 1e-300));
   double share = 0.0;

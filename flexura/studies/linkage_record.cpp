@@ -155,6 +155,7 @@ Eigen::MatrixXd middle_strains(const LinkageStudy& study, const LinkageTurn& tur
 }
 
 double strain_distance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  if (b.size() == 0) return 0.0;
   double worst = 0.0;
   const double largest = b.cwiseAbs().maxCoeff();
   for (Eigen::Index m = 0; m < a.cols(); ++m) {

@@ -102,6 +102,7 @@ bool Linkage::go_round(Termination& termination) {
 }
 
 LinkageSolution Linkage::solve(Method method, LinkageTurn& turn) const {
+  if (turn.system().size() == 0) return solve_quasi_static(turn, speed_);  // nothing vibrates
   switch (method) {
     case Method::quasi_static:
       return solve_quasi_static(turn, speed_);
@@ -175,6 +176,7 @@ void Linkage::note_peaks() {
     words += fmt::format("{}{} {:.3g}", words.empty() ? "" : ", ", result_.flexures[k],
                          find_peak(result_, moving->flexures[k].stress).value / rest);
   }
+  if (words.empty()) return;
   result_.notes.push_back("largest stress with vibration over the quasi-static one: " + words);
 }
 

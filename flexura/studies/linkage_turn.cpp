@@ -98,7 +98,7 @@ std::optional<Eigen::MatrixXd> LinkageTurn::damping(double angle,
   Eigen::MatrixXd sum = settings.mass * m.mass + settings.stiffness * m.stiffness;
   const Eigen::LLT<Eigen::MatrixXd> root(stiffness);
   if (root.info() != Eigen::Success) return {};
-  if (settings.modal == 0.0) return sum;
+  if (settings.modal == 0.0 || sum.size() == 0) return sum;
   Eigen::MatrixXd scaled = root.matrixL().solve(m.mass);
   scaled = root.matrixL().solve(scaled.transpose()).eval();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.5 * (scaled + scaled.transpose()));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "flexura/studies/harmonic_motion.hpp"
+#include "flexura/studies/modes_study.hpp"
 #include "flexura/studies/motion_start.hpp"
 
 namespace flexura {
@@ -138,6 +139,11 @@ double relative_difference(const std::vector<ResponseState>& here,
   return worst;
 }
 
+bool grows(MotionSystem& system, const Moment& moment) {
+  const Vibrations lowest = find_vibrations(system, moment, 1, ModesStudy::Solver::automatic);
+  return lowest.squares.size() > 0 && lowest.squares[0] < 0.0;
+}
+
 /// By a modeling that chooses its own modes, refined until the amplitudes settle.
 ModelingResponse Response::run() {
   constexpr int most_refinements = 4;
@@ -168,6 +174,9 @@ ModelingResponse Response::run() {
     response_.states = std::move(more);
   }
   response_.unknowns = static_cast<int>(start.system->size());
+  if (study_.about && response_.termination.converged() && grows(*start.system, start.moment))
+    response_.termination.reason =
+        "about an unstable state: the smallest disturbance grows, and no steady vibration is seen";
   return std::move(response_);
 }
 

@@ -100,6 +100,7 @@ class Ledger {
 struct March {
   MotionSystem& system;
   Moment& moment;
+  Ledger& ledger;
   const TransientStudy& study;
   const TransientSteps& steps;
   const RecordMoment& record;
@@ -108,16 +109,26 @@ struct March {
   /// `integrator` steps; `after` books a step of length h; `energies` makes the balance.
   template <class Integrator, class After, class Energies>
   TransientRun run(Integrator& integrator, const After& after, const Energies& energies) const;
+
+ private:
+  void strike(double span) const;
 };
+
+/// What is imposed changes its speed at once: the blow's work is the gain of kinetic energy.
+void March::strike(double span) const {
+  const double before = system.energies(moment).kinetic;
+  MotionFactor<double> factor;
+  if (!project_rates(system, moment, span, factor)) return;
+  if (ledger.keeps_books()) ledger.add(system.energies(moment).kinetic - before, 0.0);
+}
 
 template <class Integrator, class After, class Energies>
 TransientRun March::run(Integrator& integrator, const After& after,
                         const Energies& energies) const {
   TransientRun run;
-  const double interval = study.duration / study.outputs;
-  TimeMarch<Integrator> march(
-      integrator, {steps.step, steps.tolerance, std::min(interval, 1e-4 * study.duration),
-                   1e-13 * study.duration});
+  const double first_step = std::min(study.duration / study.outputs, 1e-4 * study.duration);
+  TimeMarch<Integrator> march(integrator,
+                              {steps.step, steps.tolerance, first_step, 1e-13 * study.duration});
   int since_asked = 0;
   const auto booked = [&](double h) {
     after(h);
@@ -128,8 +139,9 @@ TransientRun March::run(Integrator& integrator, const After& after,
   if (record) record(moment, energies());
   run.termination.status = Status::converged;
   for (const Goal& goal : goals_of(system, study)) {
-    // a step that ends at a jump has the load from before it
-    const double end = goal.time - (goal.load_jumps ? same_time * study.duration : 0.0);
+    // a step that ends at a jump has the load, or the imposed speed, from before it
+    const bool jumps = goal.load_jumps || goal.rate_jumps;
+    const double end = goal.time - (jumps ? same_time * study.duration : 0.0);
     if (!march.advance(moment, end, booked)) {
       run.termination = {Status::stopped,
                          march.was_stopped()
@@ -142,7 +154,8 @@ TransientRun March::run(Integrator& integrator, const After& after,
       break;
     }
     moment.time = goal.time;
-    if (goal.load_jumps || goal.rate_jumps) march.restart(goal.rate_jumps);
+    if (jumps) march.restart(goal.rate_jumps);
+    if (goal.rate_jumps) strike(steps.step > 0.0 ? steps.step : first_step);
     if (!goal.is_output) continue;
     if (record) record(moment, energies());
     if (goal.time < study.duration && keep_going && !keep_going(moment.time / study.duration)) {
@@ -154,7 +167,8 @@ TransientRun March::run(Integrator& integrator, const After& after,
   return run;
 }
 
-TransientRun by_radau(const March& march, Ledger& ledger) {
+TransientRun by_radau(const March& march) {
+  Ledger& ledger = march.ledger;
   using Integrator = Radau<MotionSystem, Moment, MotionFactor>;
   const double tolerance = march.steps.step > 0.0 ? 0.0 : march.steps.tolerance;
   Integrator integrator(march.system, {newton_tolerance(tolerance), tolerance});
@@ -178,7 +192,8 @@ TransientRun by_radau(const March& march, Ledger& ledger) {
   });
 }
 
-TransientRun by_generalized_alpha(const March& march, Ledger& ledger) {
+TransientRun by_generalized_alpha(const March& march) {
+  Ledger& ledger = march.ledger;
   using Integrator = GeneralizedAlpha<MotionSystem, Moment, MotionFactor>;
   const double tolerance = march.steps.step > 0.0 ? 0.0 : march.steps.tolerance;
   Integrator integrator(march.system,
@@ -197,7 +212,8 @@ TransientRun by_generalized_alpha(const March& march, Ledger& ledger) {
   });
 }
 
-TransientRun by_energy_momentum(const March& march, Ledger& ledger) {
+TransientRun by_energy_momentum(const March& march) {
+  Ledger& ledger = march.ledger;
   DiscreteMotion discrete(march.system);
   using Integrator = EnergyMomentum<DiscreteMotion, Moment, MotionFactor, Vec2>;
   Integrator integrator(discrete, {1e-11});
@@ -219,17 +235,17 @@ TransientRun by_energy_momentum(const March& march, Ledger& ledger) {
 TransientRun integrate(MotionSystem& system, Moment& moment, const TransientStudy& study,
                        const TransientSteps& steps, const RecordMoment& record,
                        const std::function<bool(double)>& keep_going) {
-  const March march{system, moment, study, steps, record, keep_going};
   Ledger ledger(system);
+  const March march{system, moment, ledger, study, steps, record, keep_going};
   switch (study.method) {
     case TransientStudy::Method::generalized_alpha:
-      return by_generalized_alpha(march, ledger);
+      return by_generalized_alpha(march);
     case TransientStudy::Method::energy_momentum:
-      return by_energy_momentum(march, ledger);
+      return by_energy_momentum(march);
     case TransientStudy::Method::radau:
       break;
   }
-  return by_radau(march, ledger);
+  return by_radau(march);
 }
 
 }  // namespace flexura

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "flexura/studies/modes_study.hpp"
@@ -67,14 +69,42 @@ bool close_gaps(MotionSystem& system, Moment& moment, double span) {
 }
 
 /// Where drivers move from the first moment on, so does the mechanism, as if its flexures were
-/// rigid: the rates that take the least strain.
+/// rigid: the rates that take the least strain, and of those the least energy. They are the limit
+/// of the projection over a long span: changes by longer ones grow up to the mechanism's periods,
+/// fall beyond them, and grow again once rounding decides.
 bool follow_drivers(MotionSystem& system, Moment& moment, double duration) {
+  constexpr int most_spans = 14;
   Eigen::VectorXd r;
   system.residual(moment, r);
   const Eigen::VectorXd rates = system.constraint_rates(moment);
   if (rates.size() == 0 || rates.lpNorm<Eigen::Infinity>() == 0.0) return true;
   MotionFactor<double> factor;
-  return project_rates(system, moment, duration, factor);
+  const Moment still = moment;
+  if (!project_rates(system, moment, duration, factor)) return false;
+  Eigen::VectorXd before = moment.v;
+  double last_change = 0.0;
+  bool falls = false;
+  double span = duration;
+  for (int k = 0; k < most_spans; ++k) {
+    span *= 10.0;
+    Moment slower = still;
+    if (!project_rates(system, slower, span, factor)) break;
+    const double change = system.size_of(slower.v - before);
+    if (falls && change >= last_change) break;
+    falls = k > 0 && change < last_change;
+    if (falls) moment.v = slower.v;
+    before = slower.v;
+    last_change = change;
+  }
+  return true;
+}
+
+/// Whether the places that histories impose at the start are those that the mechanism is in.
+bool drivers_stand_there(MotionSystem& system, const Moment& moment) {
+  constexpr double step_error = 1e-4;  // of a run's end
+  Eigen::VectorXd r;
+  system.residual(moment, r);
+  return system.relative_gap(r) < step_error;
 }
 
 }  // namespace
@@ -85,13 +115,16 @@ TransientStart start_transient(const Model& model, const TransientStudy& study,
   start.system = make_moving(model, study, settings);
   start.moment = start.system->drawn_moment();
   start.termination.status = Status::converged;
-  if (!study.from) {
+  if (!study.from || starts_in_path(model, study)) {
+    if (study.from) {
+      start.origin = start_about(model, study.from, settings, study.inertia);
+      start.termination = start.origin.termination;
+      if (!start.termination.converged()) return start;
+      rest_at_origin(start);
+    }
     if (!follow_drivers(*start.system, start.moment, study.duration))
-      start.termination = {Status::stopped, "the mechanism cannot follow its drivers as drawn"};
-  } else if (starts_in_path(model, study)) {
-    start.origin = start_about(model, study.from, settings, study.inertia);
-    start.termination = start.origin.termination;
-    if (start.termination.converged()) rest_at_origin(start);
+      start.termination = {Status::stopped,
+                           "the mechanism cannot follow its drivers from where it starts"};
   } else {
     const auto& before = std::get<TransientStudy>(model.studies[study.from->study].kind);
     TransientStart earlier = start_transient(model, before, settings);
@@ -106,6 +139,13 @@ TransientStart start_transient(const Model& model, const TransientStudy& study,
     start.moment.q = earlier.moment.q;
     start.moment.v = earlier.moment.v;
     start.origin = std::move(earlier.origin);
+    if (start.termination.converged() && !drivers_stand_there(*start.system, start.moment))
+      start.termination = {
+          Status::stopped,
+          fmt::format("at time 0 the drivers, or what is prescribed, are not where study '{}' has "
+                      "left them: histories start anew with every study. A history by `table` that "
+                      "starts from where they are goes on",
+                      model.studies[study.from->study].name)};
   }
   if (start.termination.converged()) add_modal_damping(start, study.damping.modal);
   return start;

@@ -49,6 +49,14 @@ TEST(TimeHistory, RampsJoinZeroAndOne) {
     }
 }
 
+TEST(TimeHistory, RatesThatJumpAreThoseFromThenOn) {
+  const TimeHistory table = TableHistory({0.0, 2.0, 3.0}, {0.0, 1.0, 1.0}, false);
+  const TimeHistory ramp = RampHistory{0.0, 2.0, false};
+  for (const double time : {0.0, 1.0, 2.0})
+    EXPECT_EQ(evaluate_history(ramp, time).rate, evaluate_history(table, time).rate) << time;
+  EXPECT_DOUBLE_EQ(evaluate_history(HalfSineHistory{0.0, 0.5}, 0.0).rate, 2.0 * M_PI);
+}
+
 TEST(TimeHistory, HalfSineIsOnePulse) {
   const TimeHistory pulse = HalfSineHistory{0.2, 0.1};
   EXPECT_EQ(evaluate_history(pulse, 0.1).value, 0.0);

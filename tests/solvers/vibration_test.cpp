@@ -51,6 +51,14 @@ TEST(DenseVibrations, ConstraintsHoldAndMasslessUnknownsFollow) {
   EXPECT_NEAR(modes.shapes(1, 0), 0.5 * modes.shapes(2, 0), 1e-14);
 }
 
+TEST(DenseVibrations, WithoutMassThereAreNone) {
+  const Eigen::Matrix3d stiffness = Eigen::Matrix3d::Identity();
+  const Eigen::MatrixXd free(0, 3);
+  EXPECT_FALSE(dense_vibrations(stiffness, Eigen::Matrix3d::Zero(), free, 3).found);
+  const Eigen::MatrixXd nothing(0, 0);
+  EXPECT_FALSE(dense_vibrations(nothing, nothing, nothing, 3).found);
+}
+
 /// What the sparse solver asks for, of matrices.
 class MatrixOperator final : public VibrationOperator {
  public:

@@ -138,6 +138,31 @@ TEST(LinkageStudies, ForcesAreThoseOfTheRotatingMasses) {
     EXPECT_NEAR(strain, 20.0 / (210e3 * 60.0), 1e-12);
 }
 
+/// The torque does what the kinetic energy gains: all of it over a quarter turn from where the
+/// slider stands still.
+TEST(LinkageStudies, RigidLinksNeedNoFlexures) {
+  using Method = LinkageStudy::Method;
+  const double speed = 30.0, slider = 0.2;
+  Mechanism machine;
+  machine.fixed("frame").body("crank").centre({0.0, 0.0}).body("rod").centre({60.0, 0.0});
+  machine.body("slider").mass(slider).centre({120.0, 0.0});
+  machine.pin("crank", "rod", {20.0, 0.0}).pin("rod", "slider", {120.0, 0.0});
+  machine.slide("frame", "slider", {1.0, 0.0}).turn("crank", speed, LinearHistory{});
+  LinkageStudy study = beams(2);
+  study.positions = 360;
+  study.methods = {Method::quasi_static, Method::periodic, Method::midha, Method::transient};
+  const LinkageResult result = run(machine.model(), study);
+  for (const LinkageMotion& motion : result.modelings) {
+    EXPECT_TRUE(motion.termination.converged()) << motion.label << motion.termination.reason;
+    EXPECT_EQ(motion.unknowns, 0);
+  }
+  double work = 0.0;  // by the trapezoidal rule
+  for (std::size_t k = 0; k <= 90; ++k)
+    work += (k % 90 == 0 ? 0.5 : 1.0) * result.positions.at(k).torque * std::numbers::pi / 180.0;
+  const double velocity = 20.0 * speed;  // of the slider with the crank upright
+  EXPECT_NEAR(work / (0.5 * slider * velocity * velocity), 1.0, 1e-3);
+}
+
 TEST(LinkageStudies, SayWhereACrankCannotTurn) {
   Mechanism bar;
   bar.material(210e3, 0.3).density(7.85e-9).section(RectangleSection{3.0, 20.0});

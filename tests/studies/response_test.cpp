@@ -151,6 +151,25 @@ TEST(Response, SlowlyItIsTheSlopeOfThePathThatItIsAbout) {
   EXPECT_NEAR(amplitude(model, slow, 0, "stage.y").real() / slope.y, 1.0, 1e-6);
 }
 
+TEST(Response, AboutAnUnstableStateItSaysSo) {
+  Mechanism column;
+  column.material(70e3, 0.3).density(2.7e-9).section(RectangleSection{1.0, 8.0});
+  column.fixed("ground").body("top").mass(5e-6);
+  column.flexure("ground", "top", LineAxis{{0.0, 0.0}, {0.0, 200.0}});
+  Model model = column;
+  PathStudy push;
+  push.loads = {column.load("top", {0.0, -1.0})};
+  for (const double share : {0.5, 2.0}) {
+    const double euler = M_PI * M_PI * 70e3 * 8.0 / 12.0 / (4.0 * 200.0 * 200.0);
+    push.loads[0].force.y = -share * euler;
+    model.studies = {{"push", push, {}}};
+    ResponseStudy study = sweep({column.load("top", {1.0, 0.0})}, 1.0, 2.0, 2);
+    study.about = StudyState{0, 1.0};
+    const std::string reason = respond(model, study, exact_modes(4)).termination.reason;
+    EXPECT_EQ(reason.empty(), share < 1.0) << reason;
+  }
+}
+
 struct TimedCase {
   std::string name;
   DampingSettings damping;

@@ -159,6 +159,31 @@ TEST(TransientStart, ErrorsAreEstimatedFromThere) {
 }
 
 /// What was computed before a run is cancelled stays as it is.
+/// What a driver carries along starts as if it were rigid, however long the study is.
+TEST(TransientStart, DriversCarryAllAlongFromTheStart) {
+  const double speed = 2.0;
+  const double inertia = 1000.0 * 0.01 * 0.02 * 0.4 * 0.4 * 0.4 / 3.0 + 0.05 * 0.4 * 0.4 + 1e-4;
+  Mechanism leaf = weighted_leaf();
+  leaf.body("hub").centre({0.0, 0.0});
+  leaf.flexure("hub", "weight", LineAxis{{0.0, 0.0}, {0.4, 0.0}});
+  Model model = leaf.turn("hub", speed, LinearHistory{}).model();
+  model.flexures.erase(model.flexures.begin());
+  for (const double duration : {1e-3, 10.0}) {
+    TransientStudy study = transient(duration, 2, 1e-4);
+    const ModelingMotion motion =
+        run_transient(model, study, in_theory(exact_modes(3), "i"), [](double) { return false; });
+    ASSERT_FALSE(motion.states.empty());
+    EXPECT_NEAR(motion.states[0].energy.kinetic / (0.5 * inertia * speed * speed), 1.0, 1e-9);
+  }
+  model.studies.push_back({"first", transient(1.0, 2, 1e-4), {}});
+  TransientStudy later = transient(1.0, 2, 1e-4);
+  later.from = StudyState{0, 1.0};
+  const ModelingMotion motion =
+      run_transient(model, later, exact_modes(3), [](double) { return true; });
+  EXPECT_NE(motion.termination.reason.find("'first' has left them"), std::string::npos)
+      << motion.termination.reason;
+}
+
 TEST(TransientStart, CancellationKeepsWhatIsDone) {
   const Course parts = course(true, 0.0);
   TransientStudy study = parts.first;

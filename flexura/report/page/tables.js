@@ -42,6 +42,8 @@ const Tables = (() => {
     }));
     if (!modeling.converged) {
       notes.push({ kind: 'stop', text: modeling.reason || 'It stopped and gave no reason.' });
+    } else if (modeling.reason) {
+      notes.push({ kind: 'remark', text: modeling.reason });
     }
     if (modeling.remark) notes.push({ kind: 'remark', text: modeling.remark });
     if (notes.length === 0) return;
