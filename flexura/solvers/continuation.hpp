@@ -66,8 +66,6 @@ class Continuation {
   /// How much of an arc length a load factor of 1 is: what the mechanism moves by at first.
   double load_scale() const { return load_scale_; }
   int unstable_directions() const { return unstable_; }
-  /// The shortest step so far along which the path has turned by more than 3 degrees.
-  double sharpest_bend() const { return sharpest_bend_; }
   /// What the last `advance` passed, in order.
   const std::vector<LocatedFeature>& features() const { return features_; }
   int iterations() const { return arc_.iterations() + iterations_; }
@@ -98,7 +96,6 @@ class Continuation {
   Newton newton_;
   double size_ = 0.0;
   double load_scale_ = 1.0;
-  double sharpest_bend_ = INFINITY;
   ArcState here_;
   ArcState before_;
   int unstable_ = 0;
@@ -154,7 +151,6 @@ bool Continuation<Problem>::try_sizes(double meet) {
     // what was found is behind, and so is a step that shorter ones have done
     if (refused_ && ((refused_->left -= size_) < 0.0 || !features_.empty())) refused_.reset();
     const bool straight = arc_.heads_along(here_, next, 0.9986);
-    if (!straight) sharpest_bend_ = std::min(sharpest_bend_, size_);
     before_ = std::move(here_);
     here_ = std::move(next);
     unstable_ = after;

@@ -69,9 +69,6 @@ class LoadStepping {
   void change_problem(Problem& problem, const Prolong& prolong);
 
  private:
-  /// Those of an arc that are followed: bends as only rounding makes are perfect bifurcations.
-  enum class Bends { wide, all };
-
   bool try_step(double to, double meet = states_meet);
   bool step_over(double target);
   bool cross_over(double target);
@@ -80,7 +77,7 @@ class LoadStepping {
   bool passes_unstable_states(const NewtonSummary& summary, int unstable) const;
   void accept(CurvePoint point, const PathEnergy& energy);
   bool locate_change(double from, double to, const std::vector<double>& z, int after, double meet);
-  SteppingSummary follow_arc(double target, Bends bends);
+  SteppingSummary follow_arc(double target);
 
   static constexpr int most_tries = 1000;   // for one load factor asked for
   static constexpr int tries_unwound = 50;  // likewise, before it is asked whether it winds up
@@ -129,13 +126,10 @@ SteppingSummary LoadStepping<Problem>::advance(double target) {
     next_step_ = 0.5 * step;
     if (next_step_ < options_.smallest_step) {
       if (step_over(target)) break;
-      SteppingSummary followed = follow_arc(target, Bends::wide);
+      SteppingSummary followed = follow_arc(target);
       next_step_ = 4.0 * options_.smallest_step;
-      if (followed.outcome == SteppingOutcome::lost) {
-        if (cross_over(target)) continue;
-        followed = follow_arc(target, Bends::all);
-      }
       if (followed.outcome == SteppingOutcome::reached) continue;
+      if (followed.outcome == SteppingOutcome::lost && cross_over(target)) continue;
       return followed;
     }
   }
@@ -276,10 +270,9 @@ bool LoadStepping<Problem>::locate_change(double from, double to, const std::vec
 }
 
 /// Where load control fails: either the load factor turns back (a limit point) or the path is
-/// merely steep, and load control takes over again past it. An imperfection of relative size e
-/// rounds a bifurcation off to a bend of length sqrt(e load_scale).
+/// merely steep, and load control takes over again past it.
 template <LoadedProblem Problem>
-SteppingSummary LoadStepping<Problem>::follow_arc(double target, Bends bends) {
+SteppingSummary LoadStepping<Problem>::follow_arc(double target) {
   const double start = points_.back().parameter;
   Continuation<Problem> path(*problem_,
                              {options_.tolerance, 0.05, 1e-9, 0.5, options_.smallest_step, false});
@@ -297,10 +290,8 @@ SteppingSummary LoadStepping<Problem>::follow_arc(double target, Bends bends) {
     changes_.insert(changes_.end(), passed.begin(), passed.end());
     iterations_ += path.iterations();
   };
-  constexpr double rounding = 1e-13;
-  const double sharp = bends == Bends::all ? 0.0 : std::sqrt(rounding * path.load_scale());
   for (int k = 0; k < 400; ++k) {
-    if (!path.advance() || path.sharpest_bend() < sharp) return lost();
+    if (!path.advance()) return lost();
     for (const LocatedFeature& found : path.features()) {
       if (found.feature == PathFeature::limit_point) {
         if (found.state.load_factor <= start) return lost();
