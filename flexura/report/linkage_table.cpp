@@ -58,7 +58,7 @@ std::string linkage_table(const Result& result, const StudyResult& study,
                         ? ""
                         : fmt::format("{} at {:.0f} deg, {}", number(worst.value),
                                       worst.angle / degree, linkage.flexures[where]));
-    std::string notes = stop_note(m.termination, "", colour);
+    std::string notes = termination_note(m.termination, "", colour);
     if (m.iterations > 0)
       notes += note(fmt::format("{} {}", m.iterations, m.counted), Ink::faint, colour);
     if (!m.remark.empty()) notes += note(m.remark, Ink::bad, colour);
@@ -67,7 +67,7 @@ std::string linkage_table(const Result& result, const StudyResult& study,
   std::string text =
       headline(study, lines.empty() ? "" : linkage.modelings[linkage.reference].label, colour);
   if (!lines.empty()) text += lay_out(titles, lines, colour);
-  if (lines.empty()) return text + stop_note(study.termination, "", colour);
+  if (lines.empty()) return text + termination_note(study.termination, "", colour);
   text += bands_note(result, linkage, colour) + stability_note(linkage, colour);
   for (const std::string& words : linkage.notes) text += note(words, Ink::plain, colour);
   return text;

@@ -25,7 +25,7 @@ std::string motion_notes(const Result& result, const MotionResult& motion, const
                  Ink::bad, colour);
   }
   const std::string place = m.states.empty() ? "" : at(m.states.back().time) + ": ";
-  return text + stop_note(m.termination, place, colour);
+  return text + termination_note(m.termination, place, colour);
 }
 
 /// The highest peak of any displacement: of rotations, which have another unit, only where no
@@ -85,7 +85,7 @@ std::string response_table(const Result& result, const StudyResult& study,
     add_errors(cells, m, i == response.reference);
     cells.push_back(highest_peak(result, response, m));
     lines.push_back(
-        {std::move(cells), m.termination.converged(), stop_note(m.termination, "", colour)});
+        {std::move(cells), m.termination.converged(), termination_note(m.termination, "", colour)});
   }
   return headline(study, reference_label(response), colour) + lay_out(titles, lines, colour);
 }

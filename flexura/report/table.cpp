@@ -39,7 +39,7 @@ std::string notes(const PathResult& path, const ModelingPath& m,
   }
   const std::string place =
       m.states.empty() ? "" : fmt::format("at load factor {:.4g}: ", m.states.back().load_factor);
-  return text + stop_note(m.termination, place, colour);
+  return text + termination_note(m.termination, place, colour);
 }
 
 std::string path_table(const StudyResult& study, const PathResult& path, bool colour) {

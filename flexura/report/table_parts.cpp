@@ -67,7 +67,8 @@ std::string note(const std::string& words, Ink ink, bool colour) {
   return text;
 }
 
-std::string stop_note(const Termination& termination, const std::string& place, bool colour) {
+std::string termination_note(const Termination& termination, const std::string& place,
+                             bool colour) {
   const std::string& reason = termination.reason;
   if (termination.converged())
     return reason.empty() ? std::string() : note(reason, Ink::faint, colour);

@@ -36,9 +36,9 @@ std::string headline(const StudyResult& study, const std::string& reference, boo
 /// Words below the row they belong to.
 std::string note(const std::string& words, Ink ink, bool colour);
 
-/// Why a modeling stopped; `place` says where ("at load factor 0.7: "), empty if nowhere. What is
-/// to be said of one that has not.
-std::string stop_note(const Termination& termination, const std::string& place, bool colour);
+/// Why a modeling stopped; `place` says where ("at load factor 0.7: "), empty if nowhere. Of one
+/// that has converged, what is to be said nevertheless, if anything.
+std::string termination_note(const Termination& termination, const std::string& place, bool colour);
 
 /// A modeling's cells, and what is to be said of it below them.
 struct Line {

@@ -158,7 +158,6 @@ TEST(TransientStart, ErrorsAreEstimatedFromThere) {
     }
 }
 
-/// What was computed before a run is cancelled stays as it is.
 /// What a driver carries along starts as if it were rigid, however long the study is.
 TEST(TransientStart, DriversCarryAllAlongFromTheStart) {
   const double speed = 2.0;
@@ -184,6 +183,7 @@ TEST(TransientStart, DriversCarryAllAlongFromTheStart) {
       << motion.termination.reason;
 }
 
+/// What was computed before a run is cancelled stays as it is.
 TEST(TransientStart, CancellationKeepsWhatIsDone) {
   const Course parts = course(true, 0.0);
   TransientStudy study = parts.first;
